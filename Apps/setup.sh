@@ -77,9 +77,9 @@ helios_make_venv() {
     echo ../../../../lib/python3/dist-packages >"$site/vtkhelios.pth"
   done
   # LAS, LAZ, COPC and E57 files; Debian has no packages for them.
-  helios_pip 'import laspy, lazrs' "laspy: LAS and LAZ files in vtkhelios convert" \
+  helios_pip 'import laspy, lazrs' "laspy: records of LAS in vtkhelios convert; lazrs: the tests" \
     --no-deps 'laspy>=2.7,<3' 'lazrs<1'
-  helios_pip 'import copclib, laszip, pye57, plyfile' "copclib and others: COPC, E57, LAZ with waveforms" \
+  helios_pip 'import copclib, laszip, pye57, plyfile' "copclib and others: COPC, E57; laszip: the tests" \
     --no-deps copclib laszip pye57 pyquaternion plyfile
 }
 

@@ -3,6 +3,7 @@
 // The Python module vtkhelios._native: functions that Python cannot provide.
 
 #include "heliosInput.h"
+#include "heliosLazRecords.h"
 #include "heliosLegTrajectory.h"
 #include "heliosObserve.h"
 #include "heliosPythonDetector.h"
@@ -25,6 +26,11 @@ PyMethodDef Methods[] = {
   { "remove_at_end", heliosRemoveAtEnd, METH_VARARGS, "remove_at_end(path, is_unfinished)" },
   { "set_hooks", heliosSetHooks, METH_VARARGS, "set_hooks(configure, refuse, compose, describe)" },
   { "check_input_file", heliosCheckInputFile, METH_VARARGS, "check_input_file(path): a text" },
+  { "read_las_records", heliosReadLasRecords, METH_VARARGS,
+    "read_las_records(path, first, buffer): a text" },
+  { "laz_record", heliosLazRecord, METH_VARARGS, "laz_record(format, length): bytes" },
+  { "encode_laz", heliosEncodeLaz, METH_VARARGS, "encode_laz(format, length, points): chunks" },
+  { "encode_laz_table", heliosEncodeLazTable, METH_VARARGS, "encode_laz_table(chunks): bytes" },
   { "add_detector", heliosAddDetector, METH_VARARGS,
     "add_detector(name, detect): whether it is new" },
   { "extend", heliosExtend, METH_VARARGS, "extend(cls, attributes, is_algorithm)" },

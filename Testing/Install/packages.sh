@@ -18,7 +18,7 @@ source Apps/debian_root.sh
 case ${1:-} in
   -h | --help) sed -n 's/^# \{0,1\}//; 4,11p' Testing/Install/packages.sh && exit ;;
 esac
-packages=(build/debian/*.deb)
+packages=("${HELIOS_DEBS:-build/debian}"/*.deb)
 [ -e "${packages[0]}" ] || { echo "run Apps/Packages/Debian/build.sh first" >&2; exit 1; }
 helios_own_mounts Testing/Install/packages.sh "$@"
 

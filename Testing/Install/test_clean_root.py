@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""Arguments and errors of clean_root.sh and readme.sh, and the packages of each release of Debian."""
+"""Arguments and errors of clean_root.sh, readme.sh and release.sh, and the packages of each release of Debian."""
 
 import pathlib
 import subprocess
@@ -88,3 +88,32 @@ def test_build_keeps_whether_warnings_are_errors(tmp_path):
     (tmp_path / "build").mkdir()
     (tmp_path / "build/CMakeCache.txt").write_text("VTKHELIOS_WARNINGS_AS_ERRORS:BOOL=OFF\n")
     assert warnings("ON") == "OFF"
+
+
+@pytest.mark.parametrize(
+    "arguments, message",
+    [
+        (["--fast"], "--fast is not an option"),
+        (["--only", "debian,rpm"], "rpm is not a part of a release"),
+        (["--release", "buster"], "buster is not a release: bookworm or trixie"),
+        (["--python", "python2.0"], "python2.0 is no CPython with headers"),
+        (["--folder"], "--folder needs a folder"),
+    ],
+)
+def test_wrong_arguments_of_a_release(arguments, message):
+    code, text = run(HERE / "release.sh", *arguments)
+    assert code != 0
+    assert message in text
+
+
+def test_list_of_a_release():
+    code, text = run(
+        HERE / "release.sh", "--list", "--only", "debian,wheels", "--release", "trixie"
+    )
+    assert code == 0
+    lines = [line for line in text.splitlines() if not line.endswith("no wheel for it")]
+    assert lines[:2] == ["Debian packages for trixie", "wheel for CPython 3.11"]
+    assert all(line.startswith("wheel for ") for line in lines[2:])
+    code, text = run(HERE / "release.sh", "--help")
+    assert code == 0
+    assert "--no-test         build without trying" in text

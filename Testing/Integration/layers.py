@@ -37,6 +37,7 @@ HOMES = {
     r"re2/": "ScannerSurvey",
     r"openssl/": "FiltersIO",
     r"lzf": "FiltersIO",
+    r"(arithmetic|bytestream|integercompressor|lasreadpoint|laswritepoint|laszip)": "FiltersIO",
     r"vtkMPI": "ScannerMpi",
     r"Random123/": "FiltersCore",
     r"pcl/": "FiltersPCL",

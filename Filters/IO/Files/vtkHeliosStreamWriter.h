@@ -94,6 +94,11 @@ public:
   virtual bool Write(vtkDataObject* block) = 0;
 
   /**
+   * Ends a block that can be resumed after: writes what the format keeps in memory. Default: nothing.
+   */
+  virtual bool EndBlock() { return true; }
+
+  /**
    * Flushes all blocks to disk (fsync), so that a power failure cannot lose them. Fails also if the
    * file was removed in the meantime.
    */

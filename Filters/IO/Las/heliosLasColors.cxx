@@ -16,7 +16,6 @@ namespace helios
 namespace
 {
 
-constexpr std::uint64_t PointsPerRound = 1 << 14;
 constexpr const char* OwnSoftware = "vtkHelios ";
 
 int FindLargest(const char* record, int place, int count)
@@ -47,12 +46,13 @@ Status FindColorBits(LasFile& file, LasColorBits& bits)
     return {};
   }
   const auto length = static_cast<std::uint64_t>(header.PointLength);
-  std::vector<char> bytes(std::min(PointsPerRound, header.Points.Count) * length);
+  const std::uint64_t round = file.GetPointsPerRound();
+  std::vector<char> bytes(std::min(round, header.Points.Count) * length);
   int colors = 0;
   int infrared = 0;
-  for (std::uint64_t first = 0; first < header.Points.Count; first += PointsPerRound)
+  for (std::uint64_t first = 0; first < header.Points.Count; first += round)
   {
-    const std::uint64_t count = std::min(PointsPerRound, header.Points.Count - first);
+    const std::uint64_t count = std::min(round, header.Points.Count - first);
     if (const Status status = file.Read(first, count, bytes.data()); !status.IsOk())
     {
       return status;

@@ -6,6 +6,8 @@
 #include "heliosLasGeoKeys.h"
 #include "heliosStatus.h"
 
+#include <vtkSMPTools.h>
+
 #include <algorithm>
 #include <cerrno>
 #include <filesystem>
@@ -18,10 +20,17 @@ namespace helios
 namespace
 {
 
+///@{
+/// Points read at once; of LAZ chunks for all threads.
+constexpr std::uint64_t PointsPerRound = 1 << 14;
+constexpr std::uint64_t PointsPerThread = 1 << 16;
+///@}
+
 } // namespace
 
 bool LasFile::ReadBytes(std::uint64_t place, std::uint64_t count, char* bytes)
 {
+  const std::lock_guard<std::mutex> lock(this->Reading);
   this->File.clear();
   this->File.seekg(static_cast<std::streamoff>(place));
   this->File.read(bytes, static_cast<std::streamsize>(count));
@@ -58,22 +67,48 @@ Status LasFile::OpenFile()
     : status;
 }
 
-Status LasFile::CheckCount() const
+/// Checks the number of points, or finds the chunks of LAZ.
+Status LasFile::OpenPoints()
 {
+  const LasHeader& header = this->Header;
+  if (header.IsCompressed)
+  {
+    return this->Compressed.Open(header, this->Find(LazForm::User, LazForm::RecordId), this->Size,
+      [this](std::uint64_t place, std::uint64_t count, char* bytes)
+      { return this->ReadBytes(place, count, bytes); });
+  }
   const std::uint64_t room =
-    (this->Size - this->Header.PointsBegin) / static_cast<std::uint64_t>(this->Header.PointLength);
-  return this->Header.Points.Count > room
+    (this->Size - header.PointsBegin) / static_cast<std::uint64_t>(header.PointLength);
+  return header.Points.Count > room
     ? Status::Error("has " + std::to_string(room) + " whole points of the " +
-        std::to_string(this->Header.Points.Count) + " that its header counts: it is cut off")
+        std::to_string(header.Points.Count) + " that its header counts: it is cut off")
     : Status();
+}
+
+/// Counts the points up to the end of a file.
+Status LasFile::OpenGrowingPoints()
+{
+  LasHeader& header = this->Header;
+  Status status;
+  if (header.IsCompressed)
+  {
+    status =
+      this->Compressed.OpenGrowing(header, this->Find(LazForm::User, LazForm::RecordId), this->Size,
+        [this](std::uint64_t place, std::uint64_t count, char* bytes)
+        { return this->ReadBytes(place, count, bytes); });
+  }
+  header.Points.Count = header.IsCompressed
+    ? this->Compressed.GetCount()
+    : (this->Size - header.PointsBegin) / static_cast<std::uint64_t>(header.PointLength);
+  return status;
 }
 
 Status LasFile::Open(const std::string& path)
 {
   this->Path = path;
   Status status = this->OpenFile();
-  status = status.IsOk() ? this->CheckCount() : status;
   status = status.IsOk() ? this->ReadRecords() : status;
+  status = status.IsOk() ? this->OpenPoints() : status;
   status = status.IsOk() ? this->CheckExtras() : status;
   return status.IsOk() ? status : Status::Error(path + ": " + status.Message());
 }
@@ -83,11 +118,7 @@ Status LasFile::OpenGrowing(const std::string& path)
   this->Path = path;
   Status status = this->OpenFile();
   status = status.IsOk() ? this->ReadRecords() : status;
-  if (status.IsOk())
-  {
-    this->Header.Points.Count = (this->Size - this->Header.PointsBegin) /
-      static_cast<std::uint64_t>(this->Header.PointLength);
-  }
+  status = status.IsOk() ? this->OpenGrowingPoints() : status;
   return status.IsOk() ? status : Status::Error(path + ": " + status.Message());
 }
 
@@ -159,13 +190,27 @@ Status LasFile::CheckExtras() const
     : Status();
 }
 
+std::uint64_t LasFile::GetPointsPerRound() const
+{
+  return this->Header.IsCompressed
+    ? PointsPerThread * static_cast<std::uint64_t>(vtkSMPTools::GetEstimatedNumberOfThreads())
+    : PointsPerRound;
+}
+
 Status LasFile::Read(std::uint64_t first, std::uint64_t count, char* bytes)
 {
   const auto length = static_cast<std::uint64_t>(this->Header.PointLength);
+  const std::string points = std::to_string(first) + " to " + std::to_string(first + count - 1);
+  if (this->Header.IsCompressed)
+  {
+    const Status status = this->Compressed.Read(first, count, bytes);
+    return status.IsOk()
+      ? status
+      : Status::Error(this->Path + ": at points " + points + " " + status.Message());
+  }
   return this->ReadBytes(this->Header.PointsBegin + first * length, count * length, bytes)
     ? Status()
-    : Status::Error(this->Path + ": its points " + std::to_string(first) + " to " +
-        std::to_string(first + count - 1) + " cannot be read; has it changed?");
+    : Status::Error(this->Path + ": its points " + points + " cannot be read; has it changed?");
 }
 
 const LasRecord* LasFile::Find(const char* user, int id) const

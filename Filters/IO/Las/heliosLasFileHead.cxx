@@ -21,8 +21,6 @@ namespace helios
 namespace
 {
 
-constexpr std::uint64_t PointsPerRound = 1 << 14;
-
 /// Returns the end of the packet of a point in the packet file; 0: no packet.
 std::uint64_t GetPacketEnd(const char* wave)
 {
@@ -38,7 +36,7 @@ Status Summarize(LasFile& file, LasSummary& summary, std::uint64_t& packetsEnd)
   std::vector<char> bytes;
   for (std::uint64_t first = 0; first < header.Points.Count;)
   {
-    const auto count = std::min(PointsPerRound, header.Points.Count - first);
+    const auto count = std::min(file.GetPointsPerRound(), header.Points.Count - first);
     bytes.resize(count * length);
     Status status = file.Read(first, count, bytes.data());
     if (!status.IsOk())
@@ -73,9 +71,13 @@ std::string LasFileHead::EncodeRecords(std::uint32_t& count) const
 {
   const LasRecord wkt{ LasProjectionUser, LasWktId, "OGC coordinate system WKT", this->Wkt + '\0' };
   const LasRecord extras{ LasSpecUser, LasExtraBytesId, "Extra Bytes", this->Arrays };
-  count = (this->Wkt.empty() ? 0 : 1) + (this->Arrays.empty() ? 0 : 1) +
-    (this->HasWaves ? LasWaves::NumberOfForms : 0);
-  return (this->Wkt.empty() ? std::string() : wkt.Encode()) +
+  const LasHeader& header = this->Header;
+  const std::string compression = header.IsCompressed
+    ? LazForm::Make(header.Format, header.PointLength).Encode().Encode()
+    : std::string();
+  count = (compression.empty() ? 0 : 1) + (this->Wkt.empty() ? 0 : 1) +
+    (this->Arrays.empty() ? 0 : 1) + (this->HasWaves ? LasWaves::NumberOfForms : 0);
+  return compression + (this->Wkt.empty() ? std::string() : wkt.Encode()) +
     (this->Arrays.empty() ? std::string() : extras.Encode()) +
     (this->HasWaves ? LasWaves::EncodeDescriptors(this->Spacing) : std::string());
 }
@@ -124,6 +126,7 @@ Status LasFileHead::Read(
       "cannot be resumed; start again (vtkhelios run --overwrite)");
   }
   this->Header.Points = summary;
+  this->Chunks = file.GetChunks();
   this->Arrays = extras ? extras->Data : std::string();
   this->Wkt = file.GetCrs();
   this->Spacing = descriptor && descriptor->Data.size() >= 10

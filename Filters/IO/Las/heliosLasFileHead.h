@@ -6,9 +6,11 @@
 #define heliosLasFileHead_h
 
 #include "heliosLasBlock.h"
+#include "heliosLazForm.h"
 #include "heliosStatus.h"
 
 #include <string>
+#include <vector>
 
 namespace helios
 {
@@ -22,7 +24,8 @@ struct LasFileHead
   std::string Crs;     ///< source of Wkt
   bool HasTime = true; ///< TimeShift is known
   bool HasWaves = false;
-  std::uint32_t Spacing = 0; ///< spacing of samples [ps]; 0: no waveforms yet
+  std::vector<LazChunk> Chunks; ///< of a LAZ file that is resumed
+  std::uint32_t Spacing = 0;    ///< spacing of samples [ps]; 0: no waveforms yet
 
   /// Encodes the records after the header, and counts them.
   std::string EncodeRecords(std::uint32_t& count) const;

@@ -56,6 +56,7 @@ constexpr double LargestCoordinate = 1e15;
 ///@}
 
 constexpr int CompressedBits = 0xC0; // bits of the format in files of LASzip
+constexpr int CompressedBit = 0x80;  // the one that is written
 
 ///@{
 /// An entry of Extra Bytes.
@@ -187,7 +188,7 @@ std::string LasHeader::Encode() const
   Store(bytes, AtHeaderSize, static_cast<std::uint16_t>(Size14));
   Store(bytes, AtPointsBegin, this->PointsBegin);
   Store(bytes, AtNumberOfRecords, this->NumberOfRecords);
-  bytes[AtFormat] = static_cast<char>(this->Format);
+  bytes[AtFormat] = static_cast<char>(this->Format | (this->IsCompressed ? CompressedBit : 0));
   Store(bytes, AtPointLength, static_cast<std::uint16_t>(this->PointLength));
   for (int axis = 0; axis < 3; ++axis)
   {
@@ -236,12 +237,6 @@ Status LasHeader::Decode(std::string_view bytes)
     return Status::Error(
       "ends within its header, after " + std::to_string(bytes.size()) + " bytes");
   }
-  const int format = static_cast<unsigned char>(bytes[AtFormat]);
-  if (HasCompressedPoints(bytes))
-  {
-    return Status::Error(
-      "is compressed (LAZ); convert it to LAS first: vtkhelios convert in.laz out.las");
-  }
   // the bytes are reserved in LAS 1.0 and 1.1
   this->Encoding = this->Minor < 2 ? 0 : Get<std::uint16_t>(bytes, AtEncoding);
   this->Epoch = this->DecodeEpoch(bytes);
@@ -251,19 +246,13 @@ Status LasHeader::Decode(std::string_view bytes)
   this->CreationYear = Get<std::uint16_t>(bytes, AtYear);
   this->PointsBegin = Get<std::uint32_t>(bytes, AtPointsBegin);
   this->NumberOfRecords = Get<std::uint32_t>(bytes, AtNumberOfRecords);
-  this->Format = format;
+  this->Format = static_cast<unsigned char>(bytes[AtFormat]) & ~CompressedBits;
+  this->IsCompressed = (bytes[AtFormat] & CompressedBits) != 0;
   this->PointLength = Get<std::uint16_t>(bytes, AtPointLength);
   this->Scale = GetTriple(bytes, AtScale);
   this->Offset = GetTriple(bytes, AtOffset);
   const Status status = this->CheckNumbers();
   return status.IsOk() ? this->DecodeCounts(bytes) : status;
-}
-
-//------------------------------------------------------------------------------
-bool HasCompressedPoints(std::string_view header)
-{
-  return header.size() > AtFormat && header.substr(0, Signature.size()) == Signature &&
-    (header[AtFormat] & CompressedBits) != 0;
 }
 
 //------------------------------------------------------------------------------

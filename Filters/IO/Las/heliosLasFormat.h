@@ -33,6 +33,13 @@ T LoadLas(const char* bytes)
   std::memcpy(&value, bytes, sizeof(T));
   return value;
 }
+template <typename T>
+std::string EncodeLas(T value)
+{
+  std::string bytes(sizeof(T), '\0');
+  StoreLas(bytes.data(), value);
+  return bytes;
+}
 ///@}
 
 /// Offsets of the fields in a point record [bytes]; -1: the field does not exist.
@@ -90,6 +97,7 @@ struct VTKHELIOSFILTERSIO_EXPORT LasHeader
   std::uint32_t NumberOfRecords = 0;
   int Format = 6;
   int PointLength = 30;
+  bool IsCompressed = false; ///< LAZ
   std::array<double, 3> Scale{ 1.0, 1.0, 1.0 };
   std::array<double, 3> Offset{};
   std::uint64_t WavesBegin = 0; ///< start of the packet record in the file itself
@@ -162,10 +170,6 @@ inline constexpr const char* LasProjectionUser = "LASF_Projection";
 inline constexpr int LasWktId = 2112;
 inline constexpr int LasGeoKeysId = 34735;
 ///@}
-
-/// Returns whether the first bytes of a file, LasHeader::Size10 or more, begin a file of LASzip
-/// (LAZ).
-bool HasCompressedPoints(std::string_view header);
 
 /// Returns the text in bytes, up to the first zero.
 VTKHELIOSFILTERSIO_EXPORT std::string GetLasText(std::string_view bytes);

@@ -9,7 +9,6 @@
 #include "heliosLasColors.h"
 #include "heliosLasFile.h"
 #include "heliosLasPackets.h"
-#include "heliosLazFile.h"
 #include "heliosPointNames.h"
 #include "heliosSceneCrs.h"
 #include "heliosStatus.h"
@@ -31,7 +30,6 @@
 #include <charconv>
 #include <cmath>
 #include <new>
-#include <optional>
 #include <sstream>
 #include <vector>
 
@@ -39,8 +37,6 @@ vtkStandardNewMacro(vtkHeliosLASReader);
 
 namespace
 {
-
-constexpr std::uint64_t PointsPerRound = 1 << 14;
 
 /// Returns the first point of piece i of n, computed without overflow of count * i.
 std::uint64_t GetPieceBegin(std::uint64_t count, std::uint64_t i, std::uint64_t n)
@@ -95,21 +91,6 @@ void CopyPoints(vtkIdList* ids, vtkPolyData* cloud)
   }
   cloud->SetPoints(points);
   cloud->GetPointData()->ShallowCopy(data);
-}
-
-/// Ignores the files that the conversion makes: they are no inputs.
-void Ignore(const std::string&, const std::string&) {}
-
-/// Opens the waveforms of the file with this name, or of what it was converted to.
-helios::Status OpenPackets(
-  const helios::LasFile& file, const std::string& name, helios::LasPackets& packets)
-{
-  std::optional<helios::InputWatch> ignore;
-  if (file.GetPath() != name)
-  {
-    ignore.emplace(Ignore);
-  }
-  return packets.Open(file);
 }
 
 /// Sets the field data of the file.
@@ -174,21 +155,6 @@ int vtkHeliosLASReader::RequestInformation(
 }
 
 //------------------------------------------------------------------------------
-/// Opens the file, or the LAS file that a LAZ file is converted to, once for all pieces.
-helios::Status vtkHeliosLASReader::Open(helios::LasFile& file)
-{
-  if (!helios::IsLazFile(this->FileName))
-  {
-    return file.Open(this->FileName);
-  }
-  this->Converted =
-    this->Converted ? std::move(this->Converted) : std::make_unique<helios::LazFile>();
-  const helios::Status status = this->Converted->Convert(this->FileName);
-  const helios::InputWatch ignore(Ignore);
-  return status.IsOk() ? file.Open(this->Converted->GetLasPath()) : status;
-}
-
-//------------------------------------------------------------------------------
 /// Reads points begin to end.
 helios::Status vtkHeliosLASReader::ReadPoints(helios::LasFile& file, std::uint64_t begin,
   std::uint64_t end, vtkPolyData* output, vtkTable* waveforms)
@@ -203,7 +169,7 @@ helios::Status vtkHeliosLASReader::ReadPoints(helios::LasFile& file, std::uint64
   const bool hasWaves =
     this->ReadWaveforms && !isSelected && helios::GetLasPointForm(header.Format).Wave >= 0;
   helios::LasPackets packets;
-  helios::Status status = hasWaves ? OpenPackets(file, this->FileName, packets) : helios::Status();
+  helios::Status status = hasWaves ? packets.Open(file) : helios::Status();
   if (!packets.GetWarning().empty() && this->WarnedName != file.GetPath())
   {
     this->WarnedName = file.GetPath(); // once, not per piece
@@ -212,11 +178,12 @@ helios::Status vtkHeliosLASReader::ReadPoints(helios::LasFile& file, std::uint64
   helios::LasColorBits colors;
   status = status.IsOk() ? this->FindColors(file, colors) : status;
   helios::LasArrays arrays(header, file.GetExtras(), colors, static_cast<vtkIdType>(end - begin));
+  const std::uint64_t round = file.GetPointsPerRound();
   std::vector<char> bytes(
-    std::min(PointsPerRound, end - begin) * static_cast<std::uint64_t>(header.PointLength));
+    std::min(round, end - begin) * static_cast<std::uint64_t>(header.PointLength));
   for (std::uint64_t first = begin; first < end && status.IsOk();)
   {
-    const std::uint64_t count = std::min(PointsPerRound, end - first);
+    const std::uint64_t count = std::min(round, end - first);
     const auto row = static_cast<vtkIdType>(first - begin);
     status = file.Read(first, count, bytes.data());
     arrays.Decode(bytes.data(), row, static_cast<vtkIdType>(count));
@@ -403,7 +370,7 @@ int vtkHeliosLASReader::RequestData(
   helios::Status status;
   try
   {
-    status = this->Open(file);
+    status = file.Open(this->FileName);
     const auto points = file.GetHeader().Points.Count;
     const auto n = static_cast<std::uint64_t>(count);
     const auto i = static_cast<std::uint64_t>(piece);

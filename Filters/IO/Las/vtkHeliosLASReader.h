@@ -4,8 +4,8 @@
  * @class   vtkHeliosLASReader
  * @brief   read points from a LAS file, piece by piece
  *
- * LAS 1.0 to 1.5, point formats 0 to 10. LAZ is converted to LAS in the temporary folder, by the
- * program vtkhelios; the file exists as long as the reader. Output 0 is a vtkPolyData without
+ * LAS 1.0 to 1.5, point formats 0 to 10, and LAZ of all of them, whose chunks are decompressed in
+ * parallel. Output 0 is a vtkPolyData without
  * cells: double points, and the point arrays
  * - GpsTime [s] (double), if the format has it;
  * - Intensity (unsigned short), ReturnNumber, NumberOfReturns, ScanDirectionFlag, EdgeOfFlightLine,
@@ -33,7 +33,7 @@
  * Piece i of n is the i-th of n equal ranges of the points.
  *
  * Errors, which name the file, without output: not a LAS file; an invalid version, format or size;
- * a truncated file; inconsistent counts; LAZ without vtkhelios, laspy or lazrs. For waveforms: no
+ * a truncated file; inconsistent counts; damaged chunks of LAZ. For waveforms: no
  * packet file; a descriptor that is missing, empty or unknown; a packet beyond the end; packets
  * that overlap to more than the file size.
  *
@@ -58,7 +58,6 @@
 #include "vtkPolyDataAlgorithm.h"
 
 #include <cstdint> // For numbers of points
-#include <memory>  // For the converted file
 #include <string>  // For names and messages
 #include <vector>  // For classes
 
@@ -68,7 +67,6 @@ namespace helios
 {
 class LasArrays;
 class LasFile;
-class LazFile;
 struct LasColorBits;
 class Status;
 }
@@ -130,7 +128,6 @@ private:
   vtkHeliosLASReader(const vtkHeliosLASReader&) = delete;
   void operator=(const vtkHeliosLASReader&) = delete;
 
-  helios::Status Open(helios::LasFile& file);
   helios::Status FindColors(helios::LasFile& file, helios::LasColorBits& colors);
   void SelectPoints(const std::vector<char>& isWanted, vtkPolyData* cloud);
   void ReadNames(vtkIdType points, vtkPolyData* cloud);
@@ -144,16 +141,15 @@ private:
   bool ReadWaveforms = false;
   std::string Classes;
   bool SkipWithheld = false;
-  std::unique_ptr<helios::LazFile> Converted; // converted LAZ file; null: none was read
-  std::string WarnedName;                     // file whose waveforms caused a warning
-  std::string WarnedValues;                   // file whose values caused a warning
-  std::string WarnedCrs;                      // file whose system caused a warning
-  std::string KnownCrs;                       // by PROJ
-  std::string WarnedNames;                    // the warning about names
-  std::string WarnedNotes;                    // file whose notes were warnings
-  std::string ColorsFile;                     // file whose colours are known, with its state
-  bool AreColors8 = false;                    // colours of the file have 8 bits
-  bool IsInfrared8 = false;                   // infrared of the file has 8 bits
+  std::string WarnedName;   // file whose waveforms caused a warning
+  std::string WarnedValues; // file whose values caused a warning
+  std::string WarnedCrs;    // file whose system caused a warning
+  std::string KnownCrs;     // by PROJ
+  std::string WarnedNames;  // the warning about names
+  std::string WarnedNotes;  // file whose notes were warnings
+  std::string ColorsFile;   // file whose colours are known, with its state
+  bool AreColors8 = false;  // colours of the file have 8 bits
+  bool IsInfrared8 = false; // infrared of the file has 8 bits
 };
 
 #endif

@@ -9,6 +9,7 @@
 #include "heliosLasNamesFile.h"
 #include "heliosLasScaling.h"
 #include "heliosLasWaves.h"
+#include "heliosLazSink.h"
 #include "heliosPartFile.h"
 #include "heliosSceneCrs.h"
 #include "heliosStatus.h"
@@ -56,6 +57,7 @@ void vtkHeliosLASWriter::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "FullIntensity: " << this->FullIntensity << " W\n"
      << indent << "WriteExtraBytes: " << this->WriteExtraBytes << "\n"
      << indent << "WriteWaveforms: " << this->WriteWaveforms << "\n"
+     << indent << "WriteCompressed: " << this->WriteCompressed << "\n"
      << indent << "CreationDay: " << this->CreationDay << "\n"
      << indent << "CreationYear: " << this->CreationYear << "\n"
      << indent << "SystemIdentifier: " << this->SystemIdentifier << "\n";
@@ -79,6 +81,7 @@ void vtkHeliosLASWriter::Start(bool isResumed)
 {
   this->Names->Begin(this->GetOpenName(), isResumed);
   this->Head.reset();
+  this->Compressed.reset();
   this->HasWarnedReturns = this->HasWarnedClasses = false;
   this->Packets = this->WriteWaveforms ? std::make_unique<helios::PartFile>() : nullptr;
 }
@@ -143,7 +146,22 @@ bool vtkHeliosLASWriter::Reopen(
     this->Superclass::Abandon();
     return false;
   }
-  return !this->Head || this->OverwriteBytes(0, this->Head->Header.Encode());
+  return !this->Head ||
+    (this->ResumeCompressed() && this->OverwriteBytes(0, this->Head->Header.Encode()));
+}
+
+//------------------------------------------------------------------------------
+/// Goes on after the chunks of a resumed file, whose table, if it had one, is cut off.
+bool vtkHeliosLASWriter::ResumeCompressed()
+{
+  const helios::LasHeader& header = this->Head->Header;
+  if (header.IsCompressed)
+  {
+    this->Compressed = std::make_unique<helios::LazSink>(
+      helios::LazForm::Make(header.Format, header.PointLength), this->Head->Chunks);
+  }
+  return !header.IsCompressed ||
+    this->OverwriteBytes(header.PointsBegin, helios::EncodeLas<std::uint64_t>(header.PointsBegin));
 }
 
 //------------------------------------------------------------------------------
@@ -201,6 +219,7 @@ bool vtkHeliosLASWriter::DescribeFile(
   head.HasWaves = this->Packets != nullptr;
   head.Header.Format = block.GetFormat();
   head.Header.PointLength = block.GetPointLength();
+  head.Header.IsCompressed = this->WriteCompressed;
   return true;
 }
 
@@ -243,8 +262,16 @@ bool vtkHeliosLASWriter::WriteHead()
   header.CreationYear = this->CreationYear;
   const std::string records = this->Head->EncodeRecords(header.NumberOfRecords);
   header.PointsBegin = static_cast<std::uint32_t>(helios::LasHeader::Size14 + records.size());
-  const bool isWritten = this->WriteText(header.Encode() + records);
+  // the place of the table: not known yet
+  const std::string place =
+    header.IsCompressed ? helios::EncodeLas<std::uint64_t>(header.PointsBegin) : std::string();
+  const bool isWritten = this->WriteText(header.Encode() + records + place);
   this->EndHead();
+  if (header.IsCompressed)
+  {
+    this->Compressed = std::make_unique<helios::LazSink>(
+      helios::LazForm::Make(header.Format, header.PointLength), std::vector<helios::LazChunk>());
+  }
   return isWritten;
 }
 
@@ -292,21 +319,95 @@ bool vtkHeliosLASWriter::WritePoints(helios::LasBlock& block, vtkIdType count)
   const vtkIdType start = this->GetFileSize();
   helios::LasEncoder encoder(block, this->Head->Scaling, count);
   std::vector<char> bytes;
+  const auto append = [this](const std::string& chunk) { return this->AppendChunk(chunk); };
+  if (this->Compressed)
+  {
+    this->Compressed->Mark();
+  }
   while (encoder.HasPoints())
   {
     if (!encoder.NextRound(bytes))
     {
-      this->TruncateTo(start);
+      this->RemovePoints(start);
       return this->RefusePoints(
         block.CheckRange(this->Head->Scaling, encoder.GetNext(), count).Message());
     }
-    if (!this->WriteBytes(bytes.data(), bytes.size(), start))
+    if (this->Compressed ? !this->CheckCompressed(this->Compressed->Add(bytes, append))
+                         : !this->WriteBytes(bytes.data(), bytes.size(), start))
     {
       return false;
     }
   }
   this->Head->Header.Points.Add(encoder.GetSummary());
-  return this->OverwriteBytes(0, this->Head->Header.Encode());
+  return this->Compressed || this->OverwriteBytes(0, this->Head->Header.Encode());
+}
+
+//------------------------------------------------------------------------------
+/// Removes the points of a block that is refused.
+bool vtkHeliosLASWriter::RemovePoints(vtkIdType size)
+{
+  if (this->Compressed)
+  {
+    this->Compressed->Restore();
+  }
+  return this->GetFileSize() <= size || this->TruncateTo(size);
+}
+
+//------------------------------------------------------------------------------
+/// Appends a chunk; of the points, those in the file are safe after an error.
+bool vtkHeliosLASWriter::AppendChunk(const std::string& bytes)
+{
+  const vtkIdType records = this->NumberOfRecords;
+  this->NumberOfRecords = this->Compressed->GetNumberOfPoints();
+  const bool isWritten = this->WriteBytes(bytes.data(), bytes.size(), this->GetFileSize());
+  this->NumberOfRecords = isWritten ? records : this->NumberOfRecords;
+  return isWritten;
+}
+
+//------------------------------------------------------------------------------
+/// After an error the file stays without a table of chunks; errors of the file are reported already.
+bool vtkHeliosLASWriter::CheckCompressed(const helios::Status& status)
+{
+  if (!status.IsOk())
+  {
+    this->Compressed.reset();
+  }
+  const bool isReported = status.IsOk() || status.Message() == helios::LazSink::NotAppended;
+  return isReported ? status.IsOk() : this->RefusePoints(status.Message());
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosLASWriter::EndBlock()
+{
+  if (!this->Compressed)
+  {
+    return true;
+  }
+  const vtkIdType start = this->GetFileSize();
+  const bool isWritten = this->CheckCompressed(this->Compressed->Finish(
+    [this](const std::string& chunk) { return this->AppendChunk(chunk); }));
+  this->NumberOfBytes += this->GetFileSize() - start;
+  return isWritten && this->OverwriteBytes(0, this->Head->Header.Encode());
+}
+
+//------------------------------------------------------------------------------
+/// Ends the last chunk, and writes the table of chunks.
+bool vtkHeliosLASWriter::WriteTable()
+{
+  if (!this->Compressed)
+  {
+    return true;
+  }
+  const auto place = [this] { return static_cast<std::uint64_t>(this->GetFileSize()); };
+  if (!this->EndBlock() ||
+    !this->OverwriteBytes(
+      this->Head->Header.PointsBegin, helios::EncodeLas<std::uint64_t>(place())))
+  {
+    return false;
+  }
+  const std::string table = this->Compressed->EncodeTable();
+  this->NumberOfBytes += static_cast<vtkIdType>(table.size());
+  return this->AppendChunk(table);
 }
 
 //------------------------------------------------------------------------------
@@ -416,6 +517,7 @@ bool vtkHeliosLASWriter::Write(vtkDataObject* block)
     if (isFirst)
     {
       this->Head.reset(); // another block may become the first
+      this->Compressed.reset();
       this->TruncateTo(0);
     }
     return false;
@@ -444,7 +546,9 @@ std::vector<helios::FileBlock> vtkHeliosLASWriter::CollectBlocks()
   }
   if (!this->IsOpen() && this->Head) // the heads are final
   {
-    blocks.push_back(helios::MakeFileBlock(this->GetOpenName(), 0, this->Head->Header.PointsBegin));
+    const std::uint64_t place = this->Compressed ? helios::LazTablePlaceSize : 0;
+    blocks.push_back(
+      helios::MakeFileBlock(this->GetOpenName(), 0, this->Head->Header.PointsBegin + place));
   }
   if (!this->IsOpen() && this->Packets)
   {
@@ -494,6 +598,7 @@ bool vtkHeliosLASWriter::WriteEmpty()
     this->Head->Header.Format = 9;
     this->Head->Header.PointLength = helios::GetLasPointForm(9).Length;
   }
+  this->Head->Header.IsCompressed = this->WriteCompressed;
   const bool isWritten = this->WriteHead();
   this->NumberOfBytes += this->GetFileSize();
   return isWritten;
@@ -507,7 +612,7 @@ bool vtkHeliosLASWriter::Close()
     this->Abandon();
     return false;
   }
-  if (!this->Head && !this->WriteEmpty())
+  if ((!this->Head && !this->WriteEmpty()) || !this->WriteTable())
   {
     this->Abandon();
     return false;
@@ -530,7 +635,7 @@ bool vtkHeliosLASWriter::Close()
 //------------------------------------------------------------------------------
 bool vtkHeliosLASWriter::Abandon()
 {
-  bool good = !this->IsOpen() || this->Head || this->WriteEmpty();
+  bool good = !this->IsOpen() || ((this->Head || this->WriteEmpty()) && this->WriteTable());
   if (this->Packets && !this->Packets->Abandon())
   {
     good = this->FailFile(this->Packets->GetProblem());

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 /**
  * @class   vtkHeliosLASWriter
- * @brief   write echoes as LAS 1.4
+ * @brief   write echoes as LAS 1.4 or LAZ
  *
  * The file, including its .part, is valid after every block: its header counts the points written.
+ * With WriteCompressed it is a LAZ file of chunks of 50,000 points, compressed in parallel by
+ * LASzip; EndBlock() ends a chunk. Its .part has no table of chunks until Close() or Abandon();
+ * vtkHeliosLASReader needs none.
  * The point format is 6, or 7 if the first block has RGB; with waveforms 9 or 10. All blocks have
  * the same arrays and CRS; the field data CRS is written as a WKT record. A resumed file (Reopen)
  * keeps its scale and offset.
@@ -62,6 +65,8 @@ namespace helios
 class LasBlock;
 class LasNamesFile;
 class LasWaves;
+class LazSink;
+class Status;
 struct LasFileHead;
 }
 
@@ -106,6 +111,15 @@ public:
 
   ///@{
   /**
+   * Set/Get whether points are compressed (LAZ), applied by Open(). Default: off.
+   */
+  vtkSetMacro(WriteCompressed, bool);
+  vtkGetMacro(WriteCompressed, bool);
+  vtkBooleanMacro(WriteCompressed, bool);
+  ///@}
+
+  ///@{
+  /**
    * Set/Get the date in the header: the day of the year and the year. Valid range: [0, 366], [0,
    * 65535]. Default: 0, none, for reproducible files.
    */
@@ -143,6 +157,7 @@ public:
   bool Open() override;
   bool Reopen(vtkIdType fileSize, vtkIdType numberOfRecords, vtkIdType numberOfBytes) override;
   bool Write(vtkDataObject* block) override;
+  bool EndBlock() override;
   std::string Sync() override;
 #ifndef __VTK_WRAP__
   std::vector<helios::FileBlock> CollectBlocks() override;
@@ -175,6 +190,11 @@ private:
   bool DescribeFile(vtkPolyData* echoes, const helios::LasBlock& block, helios::LasFileHead& head);
   bool WriteHead();
   bool WritePoints(helios::LasBlock& block, vtkIdType count);
+  bool ResumeCompressed();
+  bool RemovePoints(vtkIdType size);
+  bool CheckCompressed(const helios::Status& status);
+  bool AppendChunk(const std::string& bytes);
+  bool WriteTable();
   void Warn(const helios::LasBlock& block);
   bool AddNames(vtkPolyData* echoes);
   bool RefuseNames(const std::string& problem);
@@ -183,11 +203,13 @@ private:
   double FullIntensity = 0.0;
   bool WriteExtraBytes = true;
   bool WriteWaveforms = false;
+  bool WriteCompressed = false;
   int CreationDay = 0;
   int CreationYear = 0;
   std::string SystemIdentifier = "SIMULATION";
   std::unique_ptr<helios::LasFileHead> Head;   // layout of the file; null before its first block
   std::unique_ptr<helios::LasNamesFile> Names; // names of parts and materials
+  std::unique_ptr<helios::LazSink> Compressed; // null: points are not compressed, or none yet
   std::unique_ptr<helios::PartFile> Packets;   // null: points have no waveforms
   vtkSmartPointer<vtkTable> Waveforms;         // waveforms of the next block
   bool HasWarnedReturns = false;               // since Open()

@@ -156,3 +156,28 @@ def test_errors_of_usage_are_one_line_with_one_hint(words, message, capsys):
 def test_a_missing_output(words, message, capsys):
     assert main(words.split()) == 2
     assert f"error: {message}" in capsys.readouterr().err
+
+
+def test_info_of_standard_input():
+    done = run_vtkhelios("info", "-", data=TEXT.encode())
+    assert done.returncode == 0, done.stderr
+    assert b"points     2" in done.stdout
+    done = run_vtkhelios("info", "-", "--from", "las", "--json", data=b"no LAS")
+    assert done.returncode == 1
+    assert b"error: -: is not a LAS file" in done.stderr and b"/tmp" not in done.stderr
+    done = run_vtkhelios("info", "-", "--json", data=TEXT.encode())
+    assert json.loads(done.stdout)["file"] == "-"
+
+
+def test_echoes_to_standard_output(make_survey, tmp_path):
+    survey = make_survey(stop=2)
+    run_vtkhelios("run", survey, "--waveforms", "--quiet", "--output", tmp_path / "out")
+    fullwave = tmp_path / "out/plane/leg000_fullwave.txt"
+    options = ("detect", fullwave, "--pulse-length", "3", "-o")
+    assert run_vtkhelios(*options, tmp_path / "a.xyz").returncode == 0
+    done = run_vtkhelios(*options, "-")
+    assert done.returncode == 0, done.stderr
+    assert done.stdout == (tmp_path / "a.xyz").read_bytes() and len(done.stdout) > 1000
+    done = run_vtkhelios(*options, "-", "--json")
+    assert done.returncode == 2
+    assert b"error: -: standard output has the points; leave --json out" in done.stderr

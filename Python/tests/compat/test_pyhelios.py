@@ -340,7 +340,7 @@ def test_errors_of_callbacks_are_those_of_join(builder):
         run(builder)
 
 
-def test_laz_files_are_beside_those_of_las(builder):
+def test_laz_files(builder):
     laspy, _ = pytest.importorskip("laspy"), pytest.importorskip("lazrs")
     builder.setExportToFile(True)
     builder.setLasOutput(True)

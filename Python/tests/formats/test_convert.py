@@ -90,7 +90,6 @@ def test_laspy_reads_the_laz(las, convert, tmp_path):
 def test_every_field_of_every_format(convert, tmp_path, version, form):
     """Random bits in all fields, unknown records, Extra Bytes with a scale."""
     laspy = pytest.importorskip("laspy")
-    pytest.importorskip("laszip" if form in (9, 10) else "lazrs")
     header = laspy.LasHeader(version=version, point_format=form)
     header.scales, header.offsets = [0.001, 0.002, 0.01], [4e5, 5e6, -10.0]
     header.system_identifier, header.generating_software = "OTHER", "somebody's"
@@ -536,39 +535,27 @@ def test_truncated_laz(las, convert, tmp_path, monkeypatch):
     data = (tmp_path / "b.laz").read_bytes()
     (tmp_path / "b.laz").write_bytes(data[: len(data) // 2])
     code, _, err = convert(tmp_path / "b.laz", tmp_path / "c.las")
-    assert code == 1 and "b.laz: points 0 to" in err and "is cut off or damaged" in err
+    assert (
+        code == 1
+        and "b.laz: has no table of its 21115 points" in err
+        and "is cut off or damaged" in err
+    )
     code, _, err = convert(tmp_path / "b.laz", tmp_path / "c.ply")
-    assert code == 1 and "b.laz: points 0 to" in err
+    assert code == 1 and "b.laz: has no table of its 21115 points" in err
     assert not list(tmp_path.glob("c.*"))
     gc.collect()
     assert not list((tmp_path / "scratch").iterdir())
-
-
-def test_channels_that_lazrs_does_not_support(convert, tmp_path, monkeypatch):
-    """Formats 9 and 10: without laszip an error if there are several channels."""
-    laspy = pytest.importorskip("laspy")
-    pytest.importorskip("lazrs")
-    monkeypatch.setattr(
-        laspy.LazBackend.Laszip.__class__, "is_available", lambda self: "Lazrs" in self.name
-    )
-    for channels in (1, 2):
-        header = laspy.LasHeader(version="1.4", point_format=9)
-        points = laspy.ScaleAwarePointRecord.zeros(100, header=header)
-        points.array["classification_flags"] = (np.arange(100) % channels) << 4
-        (tmp_path / "a.wdp").write_bytes(bytes(60))
-        with laspy.open(tmp_path / "a.las", "w", header=header) as writer:
-            writer.write_points(points)
-        code, _, err = convert(tmp_path / "a.las", tmp_path / "b.laz", "--overwrite")
-        assert code == channels - 1
-    assert "has waveforms of several scanner channels" in err
-    assert "pip install --no-deps laszip" in err
 
 
 def test_truncated_las(las, convert, tmp_path):
     data = las.read_bytes()
     las.write_bytes(data[: len(data) // 2])
     code, _, err = convert(las, tmp_path / "c.laz")
-    assert code == 1 and "a.las: is cut off: it has" in err and "that its header counts" in err
+    assert (
+        code == 1
+        and "a.las: has 10466 whole points of the" in err
+        and "that its header counts" in err
+    )
     convert_from = tmp_path / "in.las"
     las.write_bytes(data)
     convert(las, convert_from, "--waveforms", "internal")
@@ -604,7 +591,6 @@ def test_full_disks(small_runs, tmp_path, ending):
     """A file that cannot grow beyond 200 kB: an error that names it, and no files left."""
     for package in {
         "las": ["laspy"],
-        "laz": ["lazrs"],
         "copc.laz": ["copclib"],
         "e57": ["pye57"],
     }.get(ending, []):

@@ -245,7 +245,7 @@ def test_truncated_las(las_file):
 
 def test_las_without_laspy(monkeypatch, tmp_path):
     monkeypatch.setitem(sys.modules, "laspy", None)
-    with pytest.raises(ImportError, match="pip install --no-deps laspy lazrs"):
+    with pytest.raises(ImportError, match="pip install --no-deps laspy"):
         points.las_source(tmp_path / "cloud.las")
 
 

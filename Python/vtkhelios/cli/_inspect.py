@@ -173,7 +173,6 @@ class Inspection:
         self._add_waveform_facts(reader)
         self._check_head(header)
         self.warnings += reader.notes
-        reader.close()
 
     def _add_waveform_facts(self, reader):
         if not reader.header.point_format.has_waveform_packet:

@@ -33,7 +33,7 @@ formats, by the end of a name, in and out:
   .xyz        text, the eleven columns of vtkhelios run
   .csv        text with a line of names, every array a column
               input also .txt .asc .pts .ptx: named columns, or any that begin with x y z
-  .las .laz   LAS and LAZ (compressed); LAZ needs laspy and lazrs
+  .las .laz   LAS and LAZ (compressed); from one to the other needs laspy
   .copc.laz   COPC, LAZ in an octree for viewers; also needs copclib
   .pvtp .vtp  VTK XML, in pieces, or in one file (held in memory as a whole)
   .ply        PLY, binary; every array is a property

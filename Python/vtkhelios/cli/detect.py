@@ -23,6 +23,7 @@ from ..formats._waveforms import count_pieces, make_waveform_reader
 from ._messages import Messages
 from ._parser import number, whole_number
 from ._reading import add_plugin_argument, add_threads_argument
+from ._standard import folder_of_standard, is_standard, write_output
 from ._stopping import set_outcome
 from .run import detectors
 
@@ -45,6 +46,7 @@ examples:
   vtkhelios detect leg000_fullwave.pvtt --detector gaussian -o leg000_gaussian.xyz
   vtkhelios detect flight.las --detector gaussian --pulse-length 4.2 --threshold 8e9
                    --relative-threshold 0.1 --ringing-time 30 --fit-background -o flight.xyz
+  vtkhelios detect leg000_fullwave.pvtt -o - | head
   vtkhelios detect leg000_fullwave.txt --threshold 0.2 --returns last -o last.pvtp --pulse-length 3
 
 exit codes: 0 done, 1 failed or no echoes at all, 2 wrong usage.
@@ -61,9 +63,9 @@ def return_selections():
 
 def output_name(text):
     """Returns an argparse type: a file whose ending selects its format."""
-    if pathlib.Path(text).suffix not in (".xyz", ".pvtp"):
+    if pathlib.Path(text).suffix not in (".xyz", ".pvtp") and not is_standard(text):
         raise argparse.ArgumentTypeError(
-            f"{text!r} is not valid: expected a name that ends in .xyz (text) or .pvtp (VTK)"
+            f"{text!r} is not valid: expected a name that ends in .xyz (text) or .pvtp (VTK), or -"
         )
     return text
 
@@ -79,7 +81,8 @@ def add_arguments(parser):
         metavar="FILE",
         type=output_name,
         required=True,
-        help="the echoes: .xyz, text columns, or .pvtp, VTK XML; an existing file is replaced",
+        help="the echoes: .xyz, text columns, or .pvtp, VTK XML; an existing file is replaced; - is "
+        "standard output, as text",
     )
     parser.add_argument(
         "--detector",
@@ -159,6 +162,20 @@ def run(arguments):
             file=sys.stderr,
         )
         return 2
+    if not is_standard(arguments.output):
+        return run_to_file(arguments)
+    if arguments.json:
+        print("error: -: standard output has the points; leave --json out", file=sys.stderr)
+        return 2
+    with folder_of_standard() as folder:
+        arguments.output = str(folder / "standard-output.xyz")
+        arguments.quiet = True
+        code = run_to_file(arguments)
+        return code if code or write_output(arguments.output) else 1
+
+
+def run_to_file(arguments):
+    """Writes the echoes to a file; returns the exit code."""
     with Messages(quiet=arguments.quiet, results=not arguments.json) as messages:
         vtkSMPTools.Initialize(arguments.threads or len(os.sched_getaffinity(0)))
         try:

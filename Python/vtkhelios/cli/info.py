@@ -14,6 +14,7 @@ from ._meshes import describe_crs
 from ._messages import Messages
 from ._progress import make_progress
 from ._reading import add_assets_argument
+from ._standard import NAME, folder_of_standard, is_standard, read_input
 from ._task import Task
 from ._units import add_height_unit_argument
 from .list_ import list_entries
@@ -37,6 +38,7 @@ documents: their scenes with the parts, platforms, scanners and plans.
 examples:
   vtkhelios info leg000_points.laz
   vtkhelios info output/village --json
+  vtkhelios convert village.laz - | vtkhelios info - --from csv
   vtkhelios info survey.xml --assets my_scenes
   vtkhelios info --scanners "riegl terrestrial"
 
@@ -52,7 +54,15 @@ def add_arguments(parser):
         "path",
         metavar="FILE|RUN|SURVEY",
         nargs="?",
-        help="points, a run, a mesh, or a survey or other document (.xml, .yaml)",
+        help="points, a run, a mesh, or a survey or other document (.xml, .yaml); - is points of "
+        "standard input",
+    )
+    parser.add_argument(
+        "--from",
+        dest="source_format",
+        choices=[kind[1:] for kind in formats.FORMATS],
+        default="xyz",
+        help="format of standard input (default: %(default)s)",
     )
     parser.add_argument(
         "--scanners",
@@ -75,6 +85,8 @@ def run(arguments):
             return list_entries(
                 "scanners", arguments.scanners, arguments.assets, arguments.json, messages
             )
+        if is_standard(arguments.path):
+            return inspect_standard(arguments, messages)
         if not pathlib.Path(arguments.path).exists():
             messages.error(f"{arguments.path}: no such file or folder; check its name")
             return 1
@@ -84,15 +96,29 @@ def run(arguments):
         if _meshes.is_mesh(arguments.path):
             facts = _meshes.inspect(arguments.path, messages)
             return print_facts(facts, [], arguments, messages) if facts else 1
-        inspection = Inspection(arguments.path, arguments.height_unit)
-        task = Task("reading")
-        try:
-            with make_progress(task, messages):
-                inspection.run(task)
-        except (formats.FormatError, OSError) as error:
-            messages.error(str(error))
-            return 1
-        return print_facts(inspection.facts, inspection.warnings, arguments, messages)
+        return inspect_points(arguments.path, arguments, messages)
+
+
+def inspect_standard(arguments, messages):
+    """Describes points of standard input; returns the exit code."""
+    with folder_of_standard() as folder:
+        given = str(read_input(folder / f"standard-input.{arguments.source_format}"))
+        return inspect_points(given, arguments, messages, lambda text: text.replace(given, NAME))
+
+
+def inspect_points(path, arguments, messages, label=str):
+    """Describes points of a file or a run; returns the exit code."""
+    inspection = Inspection(path, arguments.height_unit)
+    task = Task("reading")
+    try:
+        with make_progress(task, messages):
+            inspection.run(task)
+    except (formats.FormatError, OSError) as error:
+        messages.error(label(str(error)))
+        return 1
+    facts = {**inspection.facts, "file": label(inspection.facts["file"])}
+    warnings = [label(warning) for warning in inspection.warnings]
+    return print_facts(facts, warnings, arguments, messages)
 
 
 def print_facts(facts, warnings, arguments, messages):

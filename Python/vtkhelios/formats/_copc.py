@@ -15,8 +15,9 @@ import tempfile
 import numpy as np
 
 from ._base import FileWriter, need
-from ._las import Encoder, LazReader
+from ._las import Encoder, LasReader
 from ._names import check_names, write_names
+from ._records import RecordWriter
 
 LEVELS = 21  # bits of a Morton code per direction
 GRID = 7  # bits of a node's grid
@@ -29,7 +30,7 @@ TIMES = 56  # offset in it of the range of GPS times
 ENTRY = struct.Struct("<4iQii")
 
 
-class CopcReader(LazReader):
+class CopcReader(LasReader):
     """Read as LAZ; the octree is checked and not used."""
 
     def __init__(self, path):
@@ -114,7 +115,6 @@ class CopcWriter(FileWriter):
     def __init__(self, path, header):
         super().__init__(path, header)
         need("laspy", "COPC files")
-        need("lazrs", "COPC files")
         self._copc = need("copclib", "COPC files")
         check_names(path, header)
         self._encoder = Encoder(self, header)
@@ -204,12 +204,12 @@ class CopcWriter(FileWriter):
 
     def _extra_bytes(self, model):
         """Extra Bytes known to copclib: it takes their names from a LAZ file only."""
-        import laspy
-
         with tempfile.TemporaryDirectory(prefix="vtkhelios-") as folder:
             path = os.path.join(folder, "empty.laz")
-            with laspy.open(path, "w", header=model.header, do_compress=True) as empty:
-                empty.write_points(laspy.ScaleAwarePointRecord.zeros(1, header=model.header))
+            with open(path, "w+b") as file:
+                writer = RecordWriter(file, model, compress=True)
+                writer.write(np.zeros(1, model.header.point_format.dtype()))
+                writer.close(bare=True)
             return self._copc.LazReader(path).laz_config.extra_bytes_vlr
 
     def abandon(self):

@@ -15,7 +15,7 @@ from ..core.reading import is_document
 FORMATS = {
     ".copc.laz": ("_copc", "CopcReader", "CopcWriter"),
     ".las": ("_las", "LasReader", "LasWriter"),
-    ".laz": ("_las", "LazReader", "LazWriter"),
+    ".laz": ("_las", "LasReader", "LazWriter"),
     ".xyz": ("_text", "TextReader", "TextWriter"),
     ".csv": ("_csv", "TextReader", "CsvWriter"),
     ".txt": ("_text", "TextReader", None),

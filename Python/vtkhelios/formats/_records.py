@@ -2,7 +2,6 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """LAS and LAZ as records: bytes are copied verbatim, so that nothing is lost."""
 
-import copy
 import logging
 import os
 import pathlib
@@ -10,10 +9,10 @@ import struct
 
 import numpy as np
 
-from ..core import packages
 from ..core.run_files import PART
-from ._base import ROWS, FormatError, check_file, is_failure, need
-from ._las_check import HEADER_BYTES, Damage, Unsupported, check_header, check_points
+from ._base import ROWS, FormatError, check_file, need
+from ._las_check import HEADER_BYTES, Damage, check_header
+from ._laz import make_backend, read_records
 
 WAVES = (b"LASF_Spec", 65535)  # the extended record of waveform packets
 NOT_KEPT = (b"laszip encoded", b"copc")  # users of the point compression records
@@ -40,8 +39,8 @@ class RecordReader:
         self._size = os.path.getsize(self.path)
         try:
             self._take_head()
-            self._reader = laspy.open(self.path, read_evlrs=False)
-            self.header = copy.deepcopy(self._reader.header)
+            with open(self.path, "rb") as file:
+                self.header = laspy.LasHeader.read_from(file)
             self._make_plain(self.header)
             self.header.version = laspy.header.Version(1, self.minor)
             self.header.global_encoding.value = self.encoding
@@ -55,10 +54,7 @@ class RecordReader:
             self.fail(
                 f"is not a LAS or LAZ file, or its header is damaged: {error}; write it again"
             )
-        if self.header.are_points_compressed:
-            need("lazrs", "LAZ files")
-            self._check_points()
-        self._check_size()
+        self._read(0, 0)  # finds errors in the points
 
     def find_new_version(self):
         """A note if the records are written to another version of LAS, or None."""
@@ -162,30 +158,14 @@ class RecordReader:
             place += size
         return found
 
-    def _check_points(self):
-        total = self.header.point_count
+    def _read(self, first, count):
+        """Reads points as a structured array."""
+        records = np.empty(count, self.header.point_format.dtype())
         try:
-            check_points(self.path, self._reader.header, self._size)
-        except Unsupported as error:
-            self.fail(str(error))
-        except BaseException as error:
-            if not is_failure(error):
-                raise
-            self.fail(
-                f"points 0 to {total} of {total} cannot be read: {error}; the file is cut off or "
-                "damaged, copy it again"
-            )
-
-    def _check_size(self):
-        header = self.header
-        if header.are_points_compressed:
-            return
-        room = (self._size - self._points_begin) // header.point_format.size
-        if header.point_count > room:
-            self.fail(
-                f"is cut off: it has {max(0, room)} whole points of the {header.point_count} that "
-                "its header counts; copy it again"
-            )
+            read_records(self.path, first, records)
+        except ValueError as error:
+            raise FormatError(str(error)) from error
+        return records
 
     def packets(self):
         """Location of the waveform packets: file, offset, size with a head of 60 bytes; or None."""
@@ -214,17 +194,7 @@ class RecordReader:
         total, done = self.header.point_count, 0
         while done < total:
             count = min(rows, total - done)
-            try:
-                records = self._reader.read_points(count).array
-            except BaseException as error:  # lazrs raises it
-                if not is_failure(error):
-                    raise
-                self.fail(
-                    f"points {done} to {done + count} of {total} cannot be read: {error}; the file "
-                    "is cut off or damaged, copy it again"
-                )
-            if len(records) != count:
-                self.fail(f"ends after {done + len(records)} of {total} points; copy it again")
+            records = self._read(done, count)
             done += count
             if self._time_shift:
                 records["gps_time"] += self._time_shift
@@ -233,8 +203,14 @@ class RecordReader:
                     records[name] = -records[name]
             yield records
 
-    def close(self):
-        self._reader.close()
+    def read_points(self, first, count):
+        """Returns points of laspy, scaled."""
+        from laspy import ScaleAwarePointRecord
+
+        header, records = self.header, self._read(first, count)
+        return ScaleAwarePointRecord(
+            records, header.point_format, scales=header.scales, offsets=header.offsets
+        )
 
 
 def _as_ascii(text):
@@ -272,10 +248,7 @@ class RecordWriter:
         self.file = file
         self._model = reader
         self._ranges = []  # ranges of waveform packets
-        self._channel = None
-        if compress:
-            need("lazrs", "LAZ files")
-        backend = self._choose_backend(laspy, reader.header.point_format) if compress else None
+        backend = make_backend(laspy) if compress else None
         try:
             self._writer = laspy.LasWriter(
                 file, reader.header, do_compress=compress, laz_backend=backend, closefd=False
@@ -287,35 +260,12 @@ class RecordWriter:
             ) from error
         self._laspy = laspy
 
-    def _choose_backend(self, laspy, form):
-        """lazrs, but laszip for waveforms if available: lazrs loses the waveform fields of formats
-        9 and 10 when scanner channels change.
-        """
-        backends = laspy.LazBackend
-        if form.id not in (9, 10):
-            return backends.LazrsParallel
-        if backends.Laszip.is_available():
-            return backends.Laszip
-        self._channel = -1
-        return backends.LazrsParallel
-
-    def _check_channel(self, records):
-        channels = np.unique(records["classification_flags"] >> 4 & 3)
-        if len(channels) > 1 or (len(channels) and self._channel not in (-1, channels[0])):
-            raise FormatError(
-                f"{self._model.path}: has waveforms of several scanner channels, which lazrs "
-                f"compresses with loss; {packages.advise('laszip')}, which is lossless"
-            )
-        self._channel = channels[0] if len(channels) else self._channel
-
     def write(self, records):
-        if self._channel is not None:
-            self._check_channel(records)
         form = self._writer.header.point_format
         self._try(lambda: self._writer.write_points(self._laspy.PackedPointRecord(records, form)))
 
     def _try(self, action):
-        """Errors of lazrs and laszip, including a full disk, name the file."""
+        """Errors of laspy, including a full disk, name the file."""
         try:
             action()
         except (OSError, FormatError):

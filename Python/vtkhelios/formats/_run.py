@@ -59,7 +59,9 @@ class RunReader(Reader):
     def waveform_files(self):
         """The LAS files that have the same points with their waveforms; empty if there are none."""
         files = dict(zip(self._names(POINTS), self._names(WAVEFORMS)))
-        found = [files[name] for name in self.files if files.get(name, "").endswith(".las")]
+        found = [
+            files[name] for name in self.files if files.get(name, "").endswith((".las", ".laz"))
+        ]
         return found if len(found) == len(self.files) else []
 
     def _find_unnamed(self):

@@ -167,7 +167,6 @@ class Conversion:
             writer.write(records)
             self.count += len(records)
             task.advance(total)
-        reader.close()
         return True
 
     # Arrays.

@@ -80,8 +80,7 @@ def _triples(name, values, types, rows=None):
 
 
 def las_source(path, colors=False):
-    """Returns a source (vtkAlgorithm) of the points of a LAS or LAZ file; needs laspy (and lazrs
-    for LAZ).
+    """Returns a source (vtkAlgorithm) of the points of a LAS or LAZ file; needs laspy.
 
     It supports piece requests, so that a filter that requests one after the other never holds the
     file: piece i of n is the i-th of n ranges of points. The coordinate system of the file, if any,
@@ -93,31 +92,26 @@ def las_source(path, colors=False):
     return _LasSource(path, colors)
 
 
-def _laspy():
-    return packages.load("laspy", "LAS and LAZ files need")
-
-
 class _LasSource(VTKPythonAlgorithmBase):
     def __init__(self, path, colors):
         super().__init__(nInputPorts=0, nOutputPorts=1, outputType="vtkPolyData")
         self._path = os.fspath(path)
         self._colors = colors
-        self._check()
-        with self._open() as reader:
-            header = reader.header
-            self._count = header.point_count
-            names = set(header.point_format.dimension_names)
+        self._records = self._open()
+        header = self._records.header
+        self._count = header.point_count
+        names = set(header.point_format.dimension_names)
         self._crs = self._find_crs()
         if self._count == 0:
             raise ValueError(f"{self._path} has no points; give a file with points")
         if colors and not {"red", "green", "blue"} <= names:
             raise ValueError(f"{self._path} has no colours; leave colors off")
 
-    def _check(self):
-        """laspy and lazrs do not validate headers."""
-        _laspy()
+    def _open(self):
+        """The records of the file, whose header is checked."""
+        packages.load("laspy", "LAS and LAZ files need")
         try:
-            RecordReader(self._path).close()
+            return RecordReader(self._path)
         except FormatError as error:
             words = str(error).removeprefix(f"{self._path}: ")
             raise ValueError(f"{self._path} cannot be read: {words}") from error
@@ -127,16 +121,6 @@ class _LasSource(VTKPythonAlgorithmBase):
             return None
         with open_reader(self._path) as reader:
             return reader.header.crs
-
-    def _open(self):
-        laspy = _laspy()
-        try:
-            return laspy.open(self._path)
-        except laspy.errors.LaspyException as error:
-            hint = (
-                "" if laspy.LazBackend.detect_available() else f" (LAZ: {packages.advise('lazrs')})"
-            )
-            raise ValueError(f"{self._path} cannot be read: {error}{hint}") from error
 
     def RequestInformation(self, _request, _in_info, out_info):
         out_info.GetInformationObject(0).Set(vtkAlgorithm.CAN_HANDLE_PIECE_REQUEST(), 1)
@@ -157,11 +141,7 @@ class _LasSource(VTKPythonAlgorithmBase):
         return 1
 
     def _read(self, begin, count):
-        with self._open() as reader:
-            reader.seek(begin)
-            rows = reader.read_points(count)
-        if len(rows) != count:
-            raise ValueError(f"the file ends after {begin + len(rows)} of {self._count} points")
+        rows = self._records.read_points(begin, count)
         with np.errstate(over="ignore", invalid="ignore"):
             xyz = np.column_stack([rows.x, rows.y, rows.z])
         if not np.isfinite(xyz).all():

@@ -6,7 +6,12 @@ from ..surveys.options import OPTIONS
 from ..surveys.outputs import OUTPUTS
 from ..vtkHeliosScannerRun import vtkHeliosRunOptions
 
-FORMATS = {"xyz": "text (.xyz)", "las": "LAS 1.4 (.las)", "vtp": "VTK XML (.vtp)"}
+FORMATS = {
+    "xyz": "text (.xyz)",
+    "las": "LAS 1.4 (.las)",
+    "laz": "LAZ (.laz)",
+    "vtp": "VTK XML (.vtp)",
+}
 
 
 def describe_options(options):

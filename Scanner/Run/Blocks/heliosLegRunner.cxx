@@ -353,7 +353,8 @@ bool LegRunner::RunPieces(const PieceRange& pieces, LegRun& run)
     {
       if (!this->Log.HasError() && piece > pieces.First)
       {
-        run.Writing.Finish(run.Progress);
+        // chunks of LAZ end with a block: a part of one would change the bytes
+        this->Settings.Format == "laz" ? run.Writing.Finish() : run.Writing.Finish(run.Progress);
       }
       return false;
     }

@@ -90,7 +90,7 @@ LegWriting::Result LegWriting::WritePiece(
   const LegPiece& piece, std::optional<LegProgress> progress)
 {
   const Messages::DeferredMessages deferral;
-  if (!WriteOutputs(this->Outputs, piece))
+  if (!WriteOutputs(this->Outputs, piece) || (progress && !EndBlock(this->Outputs)))
   {
     return { false, {} };
   }
@@ -115,7 +115,7 @@ void LegWriting::BeginCommit(LegProgress progress)
 //------------------------------------------------------------------------------
 bool LegWriting::Finish(const LegProgress& progress)
 {
-  if (!this->FinishPiece() || !CheckRun(this->FinishBlock(), this->Log))
+  if (!this->FinishPiece() || !CheckRun(this->FinishBlock(), this->Log) || !EndBlock(this->Outputs))
   {
     return false;
   }

@@ -122,7 +122,7 @@ bool HasXml(const RunSettings& settings)
 //------------------------------------------------------------------------------
 RunSettings MakeRunPartSettings(RunSettings settings)
 {
-  settings.Format = settings.Format == "las" ? "vtp" : settings.Format;
+  settings.Format = vtkHeliosRunFiles::IsLas(settings.Format) ? "vtp" : settings.Format;
   settings.Wants.WaveformsInPoints = false;
   return settings;
 }

@@ -22,12 +22,13 @@ namespace helios
 vtkSmartPointer<vtkHeliosStreamWriter> MakeWriter(int port, const RunSettings& settings)
 {
   const bool isXml = settings.Format == "vtp";
-  const bool isLas = settings.Format == "las";
+  const bool isLas = vtkHeliosRunFiles::IsLas(settings.Format);
   vtkSmartPointer<vtkHeliosStreamWriter> writer;
   if (isLas && (port == EchoPort || port == WaveformPort))
   {
     const auto las = vtkSmartPointer<vtkHeliosLASWriter>::New();
     las->SetWriteWaveforms(port == WaveformPort || settings.Wants.WaveformsInPoints);
+    las->SetWriteCompressed(settings.Format == "laz");
     writer = las;
   }
   else if (port == WaveformPort && isXml)
@@ -104,6 +105,13 @@ bool WriteOutputs(const LegOutputs& outputs, const LegPiece& piece)
 {
   return std::equal(outputs.begin(), outputs.end(), piece.begin(),
     [](const LegOutput& output, const OutputPiece& part) { return output.Write(part); });
+}
+
+//------------------------------------------------------------------------------
+bool EndBlock(const LegOutputs& outputs)
+{
+  return std::all_of(outputs.begin(), outputs.end(),
+    [](const LegOutput& output) { return output.Writer->EndBlock(); });
 }
 
 //------------------------------------------------------------------------------

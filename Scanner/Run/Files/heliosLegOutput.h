@@ -77,6 +77,9 @@ OutputPiece CollectPiece(const LegOutput& output, const PortGetter& get);
 /// Writes a piece of every output; false after an error.
 bool WriteOutputs(const LegOutputs& outputs, const LegPiece& piece);
 
+/// Ends a block that a run can go on after; false after an error.
+bool EndBlock(const LegOutputs& outputs);
+
 /// Returns the writer for a port of the scanner.
 vtkSmartPointer<vtkHeliosStreamWriter> MakeWriter(int port, const RunSettings& settings);
 

@@ -64,7 +64,7 @@ Status SetFormat(const std::string& format, RunSettings& settings)
       return status;
     }
   }
-  const bool isLas = format == "las";
+  const bool isLas = vtkHeliosRunFiles::IsLas(format);
   settings.Format = format;
   wants.WaveformsInPoints = wants.WaveformsInPoints && isLas && wants.Waveforms;
   wants.ScanFlags =

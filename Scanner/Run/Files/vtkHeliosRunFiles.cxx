@@ -15,8 +15,8 @@ vtkStandardNewMacro(vtkHeliosRunFiles);
 namespace
 {
 
-constexpr const char* Formats[] = { "xyz", "las", "vtp" };
-constexpr int NumberOfFormats = 3;
+constexpr const char* Formats[] = { "xyz", "las", "laz", "vtp" };
+constexpr int NumberOfFormats = 4;
 
 struct KindOfFile
 {
@@ -26,11 +26,11 @@ struct KindOfFile
 
 /// Kinds in the order of FileKind.
 constexpr KindOfFile Kinds[] = {
-  { "_points", { ".xyz", ".las", ".pvtp" } },
-  { "_fullwave", { ".txt", ".las", ".pvtt" } },
-  { "_pulse", { ".txt", ".txt", ".pvtp" } },
-  { "_hits", { ".pvtp", ".pvtp", ".pvtp" } },
-  { "_trajectory", { ".txt", ".txt", ".pvtp" } },
+  { "_points", { ".xyz", ".las", ".laz", ".pvtp" } },
+  { "_fullwave", { ".txt", ".las", ".laz", ".pvtt" } },
+  { "_pulse", { ".txt", ".txt", ".txt", ".pvtp" } },
+  { "_hits", { ".pvtp", ".pvtp", ".pvtp", ".pvtp" } },
+  { "_trajectory", { ".txt", ".txt", ".txt", ".pvtp" } },
 };
 constexpr std::string_view Leg = "leg";
 constexpr std::string_view Strip = "strip";
@@ -39,7 +39,6 @@ constexpr std::string_view FormerEpochFolder = "play"; // before version 0.3
 constexpr std::string_view RunPartFolder = "part";
 constexpr std::string_view PartCount = "of";
 constexpr std::string_view Channel = "_dev";
-constexpr std::string_view ConvertedPoints = ".laz";
 constexpr std::size_t MinimumWidth = 3; // width of numbers and names of strips
 
 std::string Pad(std::string_view start, const std::string& word)
@@ -107,8 +106,7 @@ bool IsFinished(const NameParts& parts)
     rest.remove_prefix(std::min(rest.size(), rest.find('.')));
   }
   const auto& endings = Kinds[parts.Kind].Endings;
-  return std::find(std::begin(endings), std::end(endings), rest) != std::end(endings) ||
-    (parts.Kind == vtkHeliosRunFiles::POINTS && rest == ConvertedPoints);
+  return std::find(std::begin(endings), std::end(endings), rest) != std::end(endings);
 }
 
 /// Splits names of finished files of legs and strips only.
@@ -179,6 +177,12 @@ int vtkHeliosRunFiles::GetNumberOfFormats()
 const char* vtkHeliosRunFiles::GetFormat(int index)
 {
   return index >= 0 && index < NumberOfFormats ? Formats[index] : nullptr;
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosRunFiles::IsLas(const std::string& format)
+{
+  return format == "las" || format == "laz";
 }
 
 //------------------------------------------------------------------------------

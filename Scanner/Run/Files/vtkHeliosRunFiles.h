@@ -16,8 +16,7 @@
  * channel, and the ending of the format. Unfinished files end in
  * vtkHeliosStreamWriter::GetPartEnding().
  *
- * Names are without a folder. LAZ files of echoes, as vtkhelios convert makes them, are files of a
- * run too.
+ * Names are without a folder.
  */
 
 #ifndef vtkHeliosRunFiles_h
@@ -71,10 +70,12 @@ public:
 
   ///@{
   /**
-   * Get the formats of a run: "xyz", "las", "vtp". Null if the index is out of range.
+   * Get the formats of a run: "xyz", "las", "laz", "vtp". Null if the index is out of range. IsLas()
+   * returns whether files have records of LAS, compressed or not.
    */
   static int GetNumberOfFormats();
   static const char* GetFormat(int index);
+  static bool IsLas(const std::string& format);
   ///@}
 
   ///@{

@@ -16,7 +16,7 @@ NAMES = {
     "pcd": "points.pcd", "vtp": "points.vtp", "pvtp": "points_0000.vtp", "xyz": "points.xyz",
     "e57": "points.e57",
 }  # fmt: skip
-NEEDS = {"laz": ("laspy", "lazrs"), "copc": ("laspy", "lazrs", "copclib"), "e57": ("pye57",)}
+NEEDS = {"laz": ("laspy",), "copc": ("laspy", "copclib"), "e57": ("pye57",)}
 KINDS = {"xyz": "text", "vtp": "mixed", "pvtp": "xml", "ply": "mixed", "pcd": "mixed"}
 
 
@@ -180,7 +180,7 @@ class LasSource(Points):
         self.weight = 0.5
 
     def missing(self):
-        return need("laspy", "lazrs")
+        return need("laspy")
 
     def run(self, path, data):
         from vtkhelios import PipelineError, points, update

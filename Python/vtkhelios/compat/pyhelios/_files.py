@@ -12,37 +12,30 @@ import numpy as np
 
 from ...core.packages import advise
 from ...core.run_files import POINTS, kind_of
+from ...formats._laz import make_backend
+from ...formats._records import RecordReader
 from ._errors import PyHeliosToolsException
 
 FORMAT = "%Y-%m-%d_%H-%M-%S"
-CHUNK = 1_000_000  # points
 
 
 def write_files(survey, output, kind, version, **options):
     """Runs a Survey, writes <output>/<name>/<date>/legNNN..., returns the files of points, as texts.
 
-    kind is xyz, las or laz: LAZ files beside LAS files; version that of LAS, 1.4 or 1.0. The folder
-    appears when it is complete.
+    kind is xyz, las or laz; version that of LAS, 1.4 or 1.0. The folder appears when it is complete.
     """
     is_old = version == "1.0" and kind != "xyz"
-    if (kind == "laz" or is_old) and not (
-        importlib.util.find_spec("laspy") and importlib.util.find_spec("lazrs")
-    ):
-        setter = "setLas10(True): LAS 1.0 files" if is_old else "setZipOutput(True): LAZ files"
-        raise PyHeliosToolsException(f"{setter} need laspy and lazrs: {advise('laspy')}")
+    if is_old and not importlib.util.find_spec("laspy"):
+        raise PyHeliosToolsException(f"setLas10(True): LAS 1.0 files need laspy: {advise('laspy')}")
     parent = pathlib.Path(output, survey.name)
     parent.mkdir(parents=True, exist_ok=True)
     with tempfile.TemporaryDirectory(prefix=".unfinished", dir=parent) as scratch:
-        report = survey.run_to(scratch, format="xyz" if kind == "xyz" else "las", **options)
-        for path in _find_points(report["folder"]) if kind != "xyz" else ():
-            if is_old:
-                _write_old(path, path.with_suffix(f".{kind}"))
-            elif kind == "laz":
-                _compress(path)
+        report = survey.run_to(scratch, format=kind, **options)
+        for path in _find_points(report["folder"]) if is_old else ():
+            _write_old(path)
         folder = _find_free(parent)
         os.rename(report["folder"], folder)
-    paths = _find_points(folder)
-    return [str(path.with_suffix(".laz") if kind == "laz" else path) for path in paths]
+    return [str(path) for path in _find_points(folder)]
 
 
 def _find_points(folder):
@@ -59,30 +52,22 @@ def _find_free(parent):
     return folder
 
 
-def _compress(path):
-    """Writes the LAZ file of a LAS file."""
+def _write_old(path):
+    """Makes LAS 1.0 of a LAS or LAZ file: 1.1, which has the same records, under that number."""
     import laspy
 
-    with laspy.open(path) as reader:
-        with laspy.open(path.with_suffix(".laz"), mode="w", header=reader.header) as writer:
-            for points in reader.chunk_iterator(CHUNK):
-                writer.write_points(points)
-
-
-def _write_old(path, target):
-    """Writes LAS or LAZ 1.0 of a LAS file: 1.1, which has the same records, under that number."""
-    import laspy
-
-    las = laspy.read(path)
+    reader = RecordReader(path)
+    las = reader.read_points(0, reader.header.point_count)
     old = laspy.LasData(laspy.LasHeader(point_format=1, version="1.1"))
-    old.header.scales, old.header.offsets = las.header.scales, las.header.offsets
-    old.points = laspy.ScaleAwarePointRecord.zeros(len(las.points), header=old.header)
+    old.header.scales, old.header.offsets = reader.header.scales, reader.header.offsets
+    old.points = laspy.ScaleAwarePointRecord.zeros(len(las), header=old.header)
     for name in ("X", "Y", "Z", "intensity", "user_data", "point_source_id", "gps_time"):
         old[name] = las[name]
     for name, most in (("return_number", 7), ("number_of_returns", 7), ("classification", 31)):
         old[name] = np.minimum(las[name], most)
-    old.write(target)
-    with open(target, "r+b") as file:
+    compress = path.suffix == ".laz"
+    old.write(path, do_compress=compress, laz_backend=make_backend(laspy) if compress else None)
+    with open(path, "r+b") as file:
         file.seek(VERSION)
         file.write(bytes((1, 0)))
 

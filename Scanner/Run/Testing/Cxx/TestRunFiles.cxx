@@ -15,6 +15,8 @@ TEST_CASE("RunFiles: names of files, by stem, kind, format and channel", "[RunFi
   CHECK(Files::GetStripStem("A") == "strip00A");
   CHECK(Files::GetFileName("leg007", Files::POINTS, "xyz") == "leg007_points.xyz");
   CHECK(Files::GetFileName("leg007", Files::POINTS, "las", "2") == "leg007_points_dev2.las");
+  CHECK(Files::GetFileName("leg007", Files::POINTS, "laz") == "leg007_points.laz");
+  CHECK((Files::IsLas("las") && Files::IsLas("laz") && !Files::IsLas("vtp")));
   CHECK(Files::GetFileName("leg007", Files::POINTS, "vtp") == "leg007_points.pvtp");
   CHECK(Files::GetFileName("leg007", Files::WAVEFORMS, "las") == "leg007_fullwave.las");
   CHECK(Files::GetFileName("leg007", Files::WAVEFORMS, "vtp") == "leg007_fullwave.pvtt");
@@ -32,15 +34,15 @@ TEST_CASE("RunFiles: names of files, by stem, kind, format and channel", "[RunFi
 
 TEST_CASE("RunFiles: every name is taken apart again", "[RunFiles]")
 {
-  REQUIRE(Files::GetNumberOfFormats() == 3);
-  CHECK(Files::GetFormat(3) == nullptr);
+  REQUIRE(Files::GetNumberOfFormats() == 4);
+  CHECK(Files::GetFormat(4) == nullptr);
   CHECK(Files::GetFormat(-1) == nullptr);
   int count = 0;
   for (const char* stem : { "leg000", "leg1234", "strip042", "stripeast_pulse", "strip_dev" })
   {
     for (int kind = Files::POINTS; kind <= Files::TRAJECTORY; ++kind)
     {
-      for (int format = 0; format < 3; ++format)
+      for (int format = 0; format < 4; ++format)
       {
         for (const char* channel : { "", "12" })
         {
@@ -57,7 +59,7 @@ TEST_CASE("RunFiles: every name is taken apart again", "[RunFiles]")
       }
     }
   }
-  CHECK(count == 150);
+  CHECK(count == 200);
   CHECK(Files::GetNumber("leg012_points.xyz") == 12);
   CHECK(Files::GetNumber("strip042_trajectory.txt") == 42);
   CHECK(Files::GetNumber("stripeast_points.xyz") == -1);
@@ -78,7 +80,7 @@ TEST_CASE("RunFiles: other names are not those of a run", "[RunFiles]")
   }
   // files of a leg, but not complete, or a part of another file
   for (const char* name : { "leg000_points.wdp", "leg000_points_0.vtp", "leg000_points",
-         "leg000_points_dev1", "leg000_fullwave.laz", "leg000_trajectory.xyz" })
+         "leg000_points_dev1", "leg000_trajectory.xyz" })
   {
     INFO(name);
     CHECK(Files::IsOfLeg(name));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Interrupted and resumed runs; run summaries; estimates.
 #include "heliosBrokenRun.h"
+#include "vtkHeliosRunFiles.h"
 #include "vtkHeliosRunOptions.h"
 
 #include <algorithm>
@@ -17,7 +18,7 @@ TEST_CASE("SurveyResume: a resumed run is byte-identical to an uninterrupted one
 {
   const Files files;
   const Reading reading(files, Flight, ThreeLegs);
-  const std::string format = GENERATE("xyz", "las", "vtp");
+  const std::string format = GENERATE("xyz", "las", "laz", "vtp");
   const vtkIdType pulses = GENERATE(10000, 40000, 70000);
   BlockRun whole(files, reading, "whole");
   whole.Player->SetFormat(format.c_str());
@@ -44,7 +45,7 @@ TEST_CASE("SurveyResume: a run that is stopped within a block keeps its pieces",
 {
   const Files files;
   const Reading reading(files, Flight, ThreeLegs);
-  const std::string format = GENERATE("xyz", "las", "vtp");
+  const std::string format = GENERATE("xyz", "las", "laz", "vtp");
   const auto prepare = [&format](BlockRun& run)
   {
     run.Player->SetFormat(format.c_str());
@@ -61,7 +62,7 @@ TEST_CASE("SurveyResume: a run that is stopped within a block keeps its pieces",
   broken.AbortAfter(20001);
   REQUIRE_FALSE(broken.Player->Run());
   CHECK(broken.Log->Errors.empty());
-  const bool isWhole = format == "vtp"; // a block is a file
+  const bool isWhole = format == "vtp" || format == "laz"; // a block is a file, or chunks
   const vtkIdType safe = broken.Player->GetCount("pulses");
   const std::string pieces = "\"pieces\":" + std::to_string(safe / 10000) + ",";
   // a busy machine may give the thread that reports nothing of the third piece
@@ -83,22 +84,22 @@ TEST_CASE("SurveyResume: legs that share files", "[SurveyResume]")
     legs.replace(at, 5, "<leg stripId=\"7\">");
   }
   const Reading reading(files, Flight, legs);
-  const std::string format = GENERATE("xyz", "las", "vtp");
+  const std::string format = GENERATE("xyz", "las", "laz", "vtp");
   const vtkIdType pulses = GENERATE(20000, 40000, 60000);
   BlockRun whole(files, reading, "whole");
   whole.Player->SetFormat(format.c_str());
-  whole.Player->SetWriteWaveforms(format == "las");
+  whole.Player->SetWriteWaveforms(vtkHeliosRunFiles::IsLas(format));
   REQUIRE(whole.Player->Run());
   BlockRun broken(files, reading);
   broken.Player->SetFormat(format.c_str());
-  broken.Player->SetWriteWaveforms(format == "las");
+  broken.Player->SetWriteWaveforms(vtkHeliosRunFiles::IsLas(format));
   broken.AbortAfter(pulses);
   REQUIRE_FALSE(broken.Player->Run());
   broken.Player->SetResume(true);
   broken.Blocks->Action = [](vtkHeliosSurveyPlayer*) {};
   REQUIRE(broken.Player->Run());
   CHECK((ReadAll(files / "whole/test") == ReadAll(files / "out/test")));
-  CHECK(fs::exists(files / "out/test/strip007_fullwave.wdp") == (format == "las"));
+  CHECK(fs::exists(files / "out/test/strip007_fullwave.wdp") == vtkHeliosRunFiles::IsLas(format));
   if (format == "vtp")
   {
     const std::string index = ReadText(files / "out/test/strip007_points.pvtp");
