@@ -5,7 +5,7 @@
 #ifndef heliosSimulation_h
 #define heliosSimulation_h
 
-#include "heliosMovingScene.h"
+#include "heliosPulseClock.h"
 #include "heliosPose.h"
 #include "heliosSurveyData.h"
 #include "heliosTrajectory.h"

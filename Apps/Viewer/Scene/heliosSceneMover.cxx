@@ -4,9 +4,16 @@
 
 #include "heliosSceneView.h"
 #include "heliosSimulation.h"
+#include "vtkHeliosArrayNames.h"
+#include "vtkHeliosScene.h"
 
+#include <vtkBoundingBox.h>
 #include <vtkCallbackCommand.h>
+#include <vtkCellArray.h>
+#include <vtkCellData.h>
 #include <vtkCommand.h>
+#include <vtkPointData.h>
+#include <vtkPoints.h>
 #include <vtkPolyData.h>
 
 #include <algorithm>
@@ -14,35 +21,173 @@
 
 namespace helios::viewer
 {
+namespace names = vtkHeliosArrayNames;
 
 namespace
 {
 
-/// Returns the last pulse of a channel of a leg emitted by a time [s]; otherwise the first.
-vtkIdType FindPulse(const SimulatedLeg& leg, double time)
+/// Returns a moment of a leg: the displayed time, and the last pulse of a channel emitted by then.
+SceneMoment FindMoment(const SimulatedLeg& leg, double time)
 {
-  const double elapsed = std::clamp(time, leg.StartTime, leg.EndTime) - leg.StartTime;
-  return static_cast<vtkIdType>(std::floor(elapsed * leg.Clock.Rate + 1e-6));
+  const double within = std::clamp(time, leg.StartTime, leg.EndTime);
+  const double pulses = (within - leg.StartTime) * leg.Clock.Rate;
+  return { static_cast<vtkIdType>(std::floor(pulses + 1e-6)), within };
+}
+
+bool IsSame(const Similarity& a, const Similarity& b)
+{
+  return a.Translation == b.Translation && a.HasRotation == b.HasRotation && a.Pivot == b.Pivot &&
+    std::equal(&a.Turn.M[0][0], &a.Turn.M[0][0] + 9, &b.Turn.M[0][0]);
+}
+
+/// Adds the corners of the triangles of a mesh to a box.
+void AddCells(vtkPolyData* mesh, vtkBoundingBox& box)
+{
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < mesh->GetPolys()->GetNumberOfCells(); ++cell)
+  {
+    mesh->GetPolys()->GetCellAtId(cell, corners);
+    for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
+    {
+      box.AddPoint(mesh->GetPoint(corners->GetId(k)));
+    }
+  }
+}
+
+/// Returns the points of the triangles of a part, each once.
+std::vector<vtkIdType> FindPoints(vtkPolyData* mesh, int part)
+{
+  std::vector<bool> isOfPart(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
+  vtkDataArray* ids = mesh->GetCellData()->GetArray(names::PartIds);
+  vtkNew<vtkIdList> corners;
+  for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
+  {
+    mesh->GetPolys()->GetCellAtId(cell, corners);
+    const bool isIn = !ids || static_cast<int>(ids->GetComponent(cell, 0)) == part;
+    for (vtkIdType k = 0; isIn && k < corners->GetNumberOfIds(); ++k)
+    {
+      isOfPart[static_cast<std::size_t>(corners->GetId(k))] = true;
+    }
+  }
+  std::vector<vtkIdType> points;
+  for (std::size_t i = 0; i < isOfPart.size(); ++i)
+  {
+    isOfPart[i] ? points.push_back(static_cast<vtkIdType>(i)) : void();
+  }
+  return points;
 }
 
 } // namespace
 
+/// A part, with the points that it has in the moving mesh, and in the scene that is cast at.
+struct SceneMover::Part
+{
+  int Id;
+  int Motion;
+  std::vector<vtkIdType> Points;
+  std::unique_ptr<InstanceTrack> Track;
+  Similarity Place;
+};
+
 //------------------------------------------------------------------------------
-SceneMover::SceneMover(const SceneData& scene, SceneView& view)
-  : View(view)
-  , Log(Owner)
+SceneMover::SceneMover(const SurveyData& survey, vtkPolyData* mesh)
+  : Log(Owner)
 {
   vtkNew<vtkCallbackCommand> nobody;
   nobody->SetCallback([](vtkObject*, unsigned long, void*, void*) {});
   this->Owner->AddObserver(vtkCommand::ErrorEvent, nobody);
   this->Owner->AddObserver(vtkCommand::WarningEvent, nobody);
-  vtkNew<vtkPolyData> mesh; // the run uses the view's mesh
-  mesh->ShallowCopy(view.GetScene());
-  const std::vector<int> parts = MovingScene(scene, mesh, this->Log).GetParts();
-  if (!parts.empty())
+  this->Instances =
+    std::make_unique<MovingInstances>(survey.Scene, mesh, survey.Convention, this->Log);
+  if (!this->Instances->IsMoving())
   {
-    view.SetMovingParts(parts);
-    this->Parts = std::make_unique<MovingScene>(scene, view.GetMovingMesh(), this->Log);
+    this->Instances.reset();
+    return;
+  }
+  vtkPolyData* places = vtkHeliosScene::SafeDownCast(this->Instances->GetScene())->GetInstances();
+  vtkDataArray* motions = places->GetPointData()->GetArray(names::MotionIds);
+  vtkDataArray* parts = places->GetPointData()->GetArray(names::PartIds);
+  for (vtkIdType i = 0; i < places->GetNumberOfPoints(); ++i)
+  {
+    const auto id = static_cast<int>(parts->GetComponent(i, 0));
+    const auto motion = static_cast<int>(motions->GetComponent(i, 0));
+    const bool isKnown = std::any_of(
+      this->Parts.begin(), this->Parts.end(), [id](const Part& part) { return part.Id == id; });
+    if (motion >= 0 && !isKnown) // all runs of triangles of a part move alike
+    {
+      this->Parts.push_back({ id, motion, {}, nullptr, {} });
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+SceneMover::~SceneMover() = default;
+
+//------------------------------------------------------------------------------
+/// Makes the paths of a leg.
+void SceneMover::Begin(const SimulatedLeg& leg)
+{
+  this->Leg = &leg;
+  const auto motions = this->Instances->MakeMotions(leg.Clock);
+  for (Part& part : this->Parts)
+  {
+    part.Track = motions->MakeTrack(part.Motion);
+  }
+}
+
+//------------------------------------------------------------------------------
+bool SceneMover::GetBounds(const SimulatedLeg& leg, double bounds[6])
+{
+  if (!this->Instances)
+  {
+    return false;
+  }
+  this->Begin(leg);
+  this->Leg = nullptr; // its paths are used up
+  auto* scene = vtkHeliosScene::SafeDownCast(this->Instances->GetScene());
+  vtkPolyData* places = scene->GetInstances();
+  vtkDataArray* prototypes = places->GetPointData()->GetArray(names::PrototypeIds);
+  vtkDataArray* parts = places->GetPointData()->GetArray(names::PartIds);
+  vtkBoundingBox box;
+  AddCells(scene, box);
+  for (vtkIdType i = 0; i < places->GetNumberOfPoints(); ++i)
+  {
+    const auto id = static_cast<int>(parts->GetComponent(i, 0));
+    const auto part = std::find_if(
+      this->Parts.begin(), this->Parts.end(), [id](const Part& one) { return one.Id == id; });
+    vtkDataSet* mesh = scene->GetPrototype(static_cast<int>(prototypes->GetComponent(i, 0)));
+    part->Track->Move(FindMoment(leg, leg.StartTime), part->Place);
+    for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
+    {
+      double at[3];
+      part->Place.Apply(mesh->GetPoint(p), at);
+      box.AddPoint(at);
+    }
+  }
+  box.GetBounds(bounds);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+void SceneMover::SetView(SceneView& view)
+{
+  if (!this->Instances)
+  {
+    return;
+  }
+  std::vector<int> ids;
+  for (const Part& part : this->Parts)
+  {
+    ids.push_back(part.Id);
+  }
+  view.SetMovingParts(ids);
+  this->View = &view;
+  this->Leg = nullptr;
+  this->AtRest = view.GetMovingMesh() ? view.GetMovingMesh()->GetPoints() : nullptr;
+  for (Part& part : this->Parts)
+  {
+    part.Place = Similarity();
+    part.Points = this->AtRest ? FindPoints(view.GetMovingMesh(), part.Id) : part.Points;
   }
 }
 
@@ -50,19 +195,46 @@ SceneMover::SceneMover(const SceneData& scene, SceneView& view)
 bool SceneMover::MoveTo(const std::vector<SimulatedLeg>& legs, double time)
 {
   const bool isMoving =
-    this->Parts && this->View.GetMovingMesh(); // the scene may have been changed
+    this->AtRest && this->View->GetMovingMesh(); // the scene may have been changed
   const SimulatedLeg* leg = isMoving ? FindLeg(legs, time) : nullptr;
-  const vtkIdType pulse = leg ? FindPulse(*leg, time) : 0;
-  if (!leg || (leg == this->Leg && pulse >= this->First && pulse < this->Next))
+  const SceneMoment moment = leg ? FindMoment(*leg, time) : SceneMoment();
+  if (!leg ||
+    (leg == this->Leg && moment.Pulse == this->Shown.Pulse && moment.Time == this->Shown.Time))
   {
     return false;
   }
-  this->Leg = leg;
-  this->First = pulse;
-  this->Next = this->Parts->MoveTo(leg->Clock, pulse);
-  vtkSmartPointer<vtkDataObject> moved = this->Parts->Move(this->View.GetMovingMesh());
-  this->View.Move(vtkPolyData::SafeDownCast(moved));
-  return true;
+  leg == this->Leg ? void() : this->Begin(*leg);
+  this->Shown = moment;
+  vtkSmartPointer<vtkPoints> points; // null: nothing has moved
+  for (Part& part : this->Parts)
+  {
+    Similarity place = part.Place;
+    part.Track->Move(moment, place);
+    if (IsSame(place, part.Place))
+    {
+      continue;
+    }
+    part.Place = place;
+    if (!points)
+    {
+      points = vtkSmartPointer<vtkPoints>::New();
+      points->DeepCopy(this->View->GetMovingMesh()->GetPoints());
+    }
+    for (const vtkIdType point : part.Points)
+    {
+      double p[3];
+      place.Apply(this->AtRest->GetPoint(point), p);
+      points->SetPoint(point, p);
+    }
+  }
+  if (points)
+  {
+    vtkNew<vtkPolyData> mesh;
+    mesh->ShallowCopy(this->View->GetMovingMesh());
+    mesh->SetPoints(points);
+    this->View->Move(mesh);
+  }
+  return points != nullptr;
 }
 
 } // namespace helios::viewer

@@ -1,19 +1,24 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Moves the dynamic parts of a scene to their positions at the pulse emission time.
+// Moves the dynamic parts of a scene to their positions at the displayed time.
 
 #ifndef heliosSceneMover_h
 #define heliosSceneMover_h
 
+#include "heliosInstanceMotion.h"
 #include "heliosMessages.h"
-#include "heliosMovingScene.h"
+#include "heliosMovingInstances.h"
 
 #include <vtkNew.h>
 #include <vtkObject.h>
+#include <vtkSmartPointer.h>
 #include <vtkType.h>
 
 #include <memory>
 #include <vector>
+
+class vtkPoints;
+class vtkPolyData;
 
 namespace helios::viewer
 {
@@ -21,24 +26,37 @@ namespace helios::viewer
 class SceneView;
 struct SimulatedLeg;
 
-/// Moves them as the run does, but for rays: its echoes lie on them.
+/// Moves parts along the paths that the run has: by steps, continuously, along trajectories, and on
+/// other parts. The echoes lie on them.
 class SceneMover
 {
 public:
-  /// The view shows the mesh of this scene in its start state, and must outlive the mover.
-  SceneMover(const SceneData& scene, SceneView& view);
+  /// The mesh of a survey's scene, in its start state.
+  SceneMover(const SurveyData& survey, vtkPolyData* mesh);
+  ~SceneMover();
+
+  /// Gets the bounds of all triangles at the begin of a leg [m]; false: nothing moves.
+  bool GetBounds(const SimulatedLeg& leg, double bounds[6]);
+
+  /// Sets the view that shows the mesh; it must outlive the mover.
+  void SetView(SceneView& view);
 
   /// Moves the parts to their positions at a time [s]; false: unchanged.
   bool MoveTo(const std::vector<SimulatedLeg>& legs, double time);
 
 private:
-  SceneView& View;
+  struct Part;
+
+  void Begin(const SimulatedLeg& leg);
+
+  SceneView* View = nullptr;
   vtkNew<vtkObject> Owner; // owner of messages already given by the run
   Messages Log;
-  std::unique_ptr<MovingScene> Parts; // null: nothing moves
-  const SimulatedLeg* Leg = nullptr;  // they were moved for
-  vtkIdType First = 0;                // first pulse of this state
-  vtkIdType Next = 0;                 // number of the next state
+  std::unique_ptr<MovingInstances> Instances; // null: nothing moves
+  std::vector<Part> Parts;
+  vtkSmartPointer<vtkPoints> AtRest; // points of the view's moving mesh
+  const SimulatedLeg* Leg = nullptr; // they were moved for
+  SceneMoment Shown;
 };
 
 } // namespace helios::viewer

@@ -83,6 +83,17 @@ std::vector<Vec3> SamplePoints(const Cloud& cloud)
   return points;
 }
 
+/// Adds the bounds of turbid voxels.
+void AddGrids(const std::vector<vtkSmartPointer<vtkImageData>>& grids, double bounds[6])
+{
+  vtkBoundingBox box(bounds);
+  for (vtkImageData* grid : grids)
+  {
+    box.AddBounds(grid->GetBounds());
+  }
+  box.GetBounds(bounds);
+}
+
 /// Returns the centre of a box, in whole metres.
 Vec3 FindOrigin(const double bounds[6])
 {
@@ -126,12 +137,9 @@ void Viewer::ShowScene(
   {
     box.SetBounds(bounds);
   }
-  for (vtkImageData* grid : grids)
-  {
-    box.AddBounds(grid->GetBounds());
-  }
   above ? box.AddBounds(above->GetBounds()) : void();
   box.GetBounds(bounds);
+  AddGrids(grids, bounds);
   this->Running.reset();
   this->Legs.clear();
   this->Begin(bounds, scene, false);
@@ -222,6 +230,9 @@ void Viewer::ShowBox(const double bounds[6], bool hasData, vtkPolyData* scene)
   hasData ? box.SetBounds(bounds) : void();
   vtkBoundingBox all = box;
   std::vector<Vec3> points = scene ? SamplePoints(scene) : SamplePoints(*this->Points);
+  points.erase(std::remove_if(points.begin(), points.end(), // such as parts before they move
+                 [&box](const Vec3& p) { return !box.ContainsPoint(p[0], p[1], p[2]); }),
+    points.end());
   const std::size_t count = points.size();
   for (const SimulatedLeg& leg : this->Legs)
   {
@@ -271,13 +282,16 @@ void Viewer::FinishLoading()
   double bounds[6];
   this->Running->GetBounds(bounds);
   this->Legs = this->Running->GetLegs();
+  auto mover = std::make_unique<SceneMover>(this->Survey->GetData(), this->Running->GetScene());
+  if (!this->Legs.empty() && mover->GetBounds(this->Legs.front(), bounds))
+  {
+    AddGrids(this->Running->GetGrids(), bounds);
+  }
   this->Begin(bounds, this->Running->GetScene(), this->KeepsCamera);
   this->ShowMesh(this->Running->GetScene());
   this->Mesh->SetGrids(this->Running->GetGrids());
-  if (this->Mesh->GetScene())
-  {
-    this->Mover = std::make_unique<SceneMover>(this->Survey->GetData().Scene, *this->Mesh);
-  }
+  this->Mesh->GetScene() ? mover->SetView(*this->Mesh) : void();
+  this->Mover = std::move(mover);
   this->ShowTrajectories();
   this->SetSpan(this->Running->GetStartTime(), this->Running->GetEndTime());
 }

@@ -103,7 +103,8 @@ TEST_CASE("SceneMover: echoes lie on the part at their time, forwards and backwa
   REQUIRE(viewer.Run() == 0);
   SceneView view(viewer.GetRenderer());
   REQUIRE(view.SetScene(viewer.GetSimulation()->GetScene()).IsOk());
-  SceneMover mover(viewer.GetSurvey()->GetData().Scene, view);
+  SceneMover mover(viewer.GetSurvey()->GetData(), viewer.GetSimulation()->GetScene());
+  mover.SetView(view);
   const Cloud& cloud = viewer.GetCloud();
   int onPart = 0;
   int offPart = 0;
@@ -132,6 +133,50 @@ TEST_CASE("SceneMover: echoes lie on the part at their time, forwards and backwa
   CHECK(highest == Approx(Start - 2.0 + 19.0)); // the last of 20 steps in a second
 }
 
+TEST_CASE("SceneMover: continuous motion is drawn between two steps")
+{
+  MovingFiles files(30.0, "dynTimeStep=\"0.5\" motion=\"continuous\"");
+  for (const double time : { 0.0, 0.2, 0.85 })
+  {
+    files.Options.StartTime = time;
+    Viewer viewer(files.Options);
+    REQUIRE(viewer.Run() == 0);
+    double bounds[6];
+    viewer.GetSceneView()->GetMovingMesh()->GetPoints()->GetBounds(bounds);
+    CHECK(bounds[0] == Approx(Start - 2.0 + viewer.GetClock().GetTime() / 0.5));
+    CHECK(viewer.GetClock().GetTime() == Approx(time));
+  }
+}
+
+TEST_CASE("SceneMover: a part follows its trajectory, and carries one that turns")
+{
+  MovingFiles files(0.0, "dynTimeStep=\"0.25\" motion=\"continuous\" mount=\"car\"");
+  files.Replace("scene.xml", "type=\"translation\" vec=\"1;0;0\"",
+    "type=\"rotation\" axis=\"0;0;1\" angle=\"45\" selfMode=\"true\"");
+  files.Write("car.obj", "v 0 -1 2\nv 1 -1 2\nv 1 1 2\nv 0 1 2\nf 1 2 3 4\n");
+  files.Write("car.csv", "# t,roll,pitch,yaw,x,y,z\n0,0,0,0,5000,0,0\n1,0,0,0,5000,20,0\n");
+  files.Replace("scene.xml", "</scene>", R"(<part id="car"><filter type="objloader">
+<param type="string" key="filepath" value="car.obj"/></filter><trajectory file="car.csv" tIndex="0"
+ rollIndex="1" pitchIndex="2" yawIndex="3" xIndex="4" yIndex="5" zIndex="6"/></part></scene>)");
+  files.Options.StartTime = 0.5;
+  Viewer viewer(files.Options);
+  REQUIRE(viewer.Run() == 0);
+  vtkPolyData* mesh = viewer.GetSceneView()->GetMovingMesh();
+  REQUIRE(mesh->GetNumberOfPoints() == 8); // the plate first
+  const Vec3 corner(mesh->GetPoint(0)); // was at (-12, -2, 1), turned by 90 degrees about (-10, 0)
+  CHECK(corner[0] == Approx(5000.0 - 8.0));
+  CHECK(corner[1] == Approx(10.0 - 2.0));
+  CHECK(corner[2] == Approx(1.0));
+  const Vec3 car(mesh->GetPoint(4));
+  CHECK(car[0] == Approx(5000.0));
+  CHECK(car[1] == Approx(9.0));
+  double bounds[6]; // the first view has the parts where they are at the start
+  SceneMover mover(viewer.GetSurvey()->GetData(), viewer.GetSimulation()->GetScene());
+  REQUIRE(mover.GetBounds(viewer.GetLegs().front(), bounds));
+  CHECK(bounds[0] == Approx(-60.0)); // the ground
+  CHECK(bounds[1] == Approx(5001.0));
+}
+
 TEST_CASE("SceneMover: a scene at rest is not modified")
 {
   StepFiles files;
@@ -142,6 +187,9 @@ TEST_CASE("SceneMover: a scene at rest is not modified")
   Viewer viewer(options);
   REQUIRE(viewer.Run() == 0);
   CHECK_FALSE(viewer.GetSceneView()->GetMovingMesh());
-  SceneMover mover(viewer.GetSurvey()->GetData().Scene, *viewer.GetSceneView());
+  SceneMover mover(viewer.GetSurvey()->GetData(), viewer.GetSceneView()->GetScene());
+  mover.SetView(*viewer.GetSceneView());
+  double bounds[6];
+  CHECK_FALSE(mover.GetBounds(viewer.GetLegs().front(), bounds));
   CHECK_FALSE(mover.MoveTo(viewer.GetLegs(), 0.5));
 }

@@ -3,7 +3,7 @@
 // Moving parts: their settings, and flights over them compared with closed forms.
 #include "vtkHeliosSurveyPlayer.h"
 
-#include "heliosMovingScene.h"
+#include "heliosPulseClock.h"
 #include "heliosSurveyChanges.h"
 #include "heliosSurveyPlaying.h"
 
