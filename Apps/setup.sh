@@ -19,8 +19,8 @@ helios_packages=(
   python3-jinja2
   # the tests that are built
   catch2
-  # pictures without a display
-  xvfb xauth libgl1-mesa-dri
+  # pictures without a display, and the font of the viewer
+  xvfb xauth libgl1-mesa-dri fonts-dejavu-core
 )
 # What tests need besides.
 helios_test_packages=(

@@ -63,7 +63,7 @@ helios_debian_package(package python3-vtkhelios python
   python)
 helios_debian_package(programs vtkhelios science
   "Simulation of laser scanning (LiDAR): command line and viewer\n Runs surveys of HELIOS and HELIOS++, plans scan positions, shows,\n converts and compares clouds."
-  "python3-vtkhelios (= ${version})" command viewer desktop)
+  "python3-vtkhelios (= ${version}), fonts-dejavu-core" command viewer desktop)
 helios_debian_package(headers libvtkhelios-dev libdevel
   "Simulation of laser scanning (LiDAR): headers and CMake files\n For programs with filters, deflectors or detectors of their own."
   "${vtkhelios_library_package} (= ${version}), libvtk9-dev" development)

@@ -26,6 +26,7 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <fstream>
 
 namespace fs = std::filesystem;
 
@@ -89,6 +90,15 @@ Status ShowSceneFile(Viewer& viewer, const std::string& fileName, vtkPolyData* a
   return {};
 }
 
+/// Returns whether a JSON file says at its begin that it is CityJSON.
+bool IsCityJson(const std::string& path)
+{
+  std::ifstream file(path, std::ios::binary);
+  std::string begin(1024, '\0');
+  file.read(begin.data(), static_cast<std::streamsize>(begin.size()));
+  return begin.find("\"CityJSON\"") != std::string::npos;
+}
+
 /// Shows the scene of the planned survey; PlanTool shows the rest.
 Status ShowPlan(Viewer& viewer, const std::string& path)
 {
@@ -120,6 +130,7 @@ std::vector<SimulatedLeg> MakeLegs(
     leg.EndTime = leg.Path.GetEndTime();
     leg.IsMoving = !leg.Path.IsStatic();
     leg.Type = leg.IsMoving ? PlatformType::LinearPath : PlatformType::Static;
+    leg.Kind = leg.IsMoving ? PlatformKind::Unknown : PlatformKind::Tripod;
     legs.push_back(leg);
   }
   std::stable_sort(legs.begin(), legs.end(),
@@ -136,6 +147,7 @@ std::vector<SimulatedLeg> MakeLegs(
 Status ShowClouds(Viewer& viewer, const std::vector<std::string>& inputs)
 {
   CloudReader reader;
+  viewer.GetCloud().Clear();
   for (const std::string& input : inputs)
   {
     const Status status = reader.Read(input, viewer.GetCloud());
@@ -180,6 +192,25 @@ Status ShowInputs(Viewer& viewer)
     return ShowSurveyFile(viewer, inputs.front());
   }
   return isScene ? ShowSceneFile(viewer, inputs.front()) : ShowClouds(viewer, inputs);
+}
+
+//------------------------------------------------------------------------------
+std::string FindInputKind(const std::string& path)
+{
+  std::error_code error;
+  if (fs::is_directory(path, error))
+  {
+    return IsPlan(path) ? "plan" : CloudReader::IsRun(path) ? "run" : "";
+  }
+  if (vtkHeliosDialect::IsDocument(path))
+  {
+    return vtkHeliosDialect::MayHaveSurvey(path) ? "survey" : "scene";
+  }
+  if (fs::path(path).extension() == ".json")
+  {
+    return IsCityJson(path) ? "scene" : "";
+  }
+  return vtkHeliosDialect::IsMesh(path) ? "scene" : CloudReader::CanRead(path) ? "points" : "";
 }
 
 //------------------------------------------------------------------------------

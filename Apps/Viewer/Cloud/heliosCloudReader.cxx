@@ -293,6 +293,21 @@ Status CloudReader::ReadRun(const std::string& folder)
 }
 
 //------------------------------------------------------------------------------
+bool CloudReader::IsRun(const std::string& folder)
+{
+  std::error_code error;
+  return fs::exists(fs::path(folder) / "run_summary.json", error);
+}
+
+//------------------------------------------------------------------------------
+bool CloudReader::CanRead(const std::string& fileName)
+{
+  const std::string ending = GetEnding(fileName);
+  return std::any_of(std::begin(Endings), std::end(Endings),
+    [&ending](const char* known) { return ending == known; });
+}
+
+//------------------------------------------------------------------------------
 Status CloudReader::ReadCloud(const std::string& path)
 {
   if (const Status status = CheckInputFile(path); !status.IsOk())

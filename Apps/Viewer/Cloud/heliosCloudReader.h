@@ -35,6 +35,12 @@ using BlockFunction = std::function<bool(vtkPolyData*, double)>;
 class CloudReader
 {
 public:
+  ///@{
+  /// Returns whether a folder is a finished run, and whether a file has an ending that is read.
+  static bool IsRun(const std::string& folder);
+  static bool CanRead(const std::string& fileName);
+  ///@}
+
   /// Part names in id order; set the scene's names before reading text files.
   std::vector<std::string> PartNames;
 

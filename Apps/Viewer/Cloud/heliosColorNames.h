@@ -49,6 +49,28 @@ inline std::string GetColorByName(ColorBy by)
   return {};
 }
 
+/// Returns the words of a colouring in the menu.
+inline std::string GetColorTitle(ColorBy by)
+{
+  switch (by)
+  {
+    case ColorBy::Amplitude:
+      return "amplitude or intensity";
+    case ColorBy::ReturnNumber:
+      return "return number";
+    case ColorBy::NumberOfReturns:
+      return "number of returns";
+    case ColorBy::Incidence:
+      return "angle of incidence";
+    case ColorBy::Own:
+      return "colours of the points";
+    case ColorBy::One:
+      return "one colour";
+    default:
+      return GetColorByName(by);
+  }
+}
+
 } // namespace helios::viewer
 
 #endif

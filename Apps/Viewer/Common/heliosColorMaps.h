@@ -24,6 +24,24 @@ struct RampPart
 /// Colours from low to high.
 using Ramp = std::array<Rgb, 256>;
 
+/// A translucent cover of colours.
+struct Veil
+{
+  Rgb Color{ 0, 0, 0 };
+  double Share = 0.0; ///< 0: clear, 1: opaque
+
+  Rgb Over(const Rgb& color) const
+  {
+    Rgb covered;
+    for (std::size_t c = 0; c < 3; ++c)
+    {
+      const double value = color[c] + this->Share * (this->Color[c] - color[c]);
+      covered[c] = static_cast<std::uint8_t>(value + 0.5);
+    }
+    return covered;
+  }
+};
+
 /// Returns a part of viridis: perceptually uniform, its lightness increases, so it is safe for
 /// colour vision deficiency.
 Ramp MakeRamp(const RampPart& part);

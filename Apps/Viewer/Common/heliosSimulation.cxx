@@ -3,6 +3,7 @@
 #include "heliosSimulation.h"
 
 #include "heliosErrorText.h"
+#include "heliosGroundHeight.h"
 #include "heliosSceneBounds.h"
 #include "heliosSurveyData.h"
 #include "vtkHeliosSurvey.h"
@@ -28,6 +29,10 @@ constexpr vtkIdType MinimumPulses = 1024; // pulses of a block
 constexpr vtkIdType MaximumPulses = 262144;
 constexpr double SecondsPerBlock = 0.05; // target duration of a block
 constexpr double SamplesPerLeg = 2000.0; // samples of the trajectory
+
+// Heights at which the trajectory is that of the scanner, not of the wheels [m].
+constexpr double MinimumLift = 0.5;
+constexpr double MaximumLift = 4.0;
 
 template <typename Data>
 vtkSmartPointer<Data> CopyOutput(vtkHeliosSurveySource* source, int port)
@@ -79,6 +84,30 @@ const SimulatedLeg* FindLeg(const std::vector<SimulatedLeg>& legs, double time)
     found = leg.StartTime <= time ? &leg : found;
   }
   return found;
+}
+
+//------------------------------------------------------------------------------
+void FindPlatforms(std::vector<SimulatedLeg>& legs, const std::vector<Vec3>& points)
+{
+  for (SimulatedLeg& leg : legs)
+  {
+    if (!leg.IsMoving || (leg.Kind != PlatformKind::Unknown && !IsOnGround(leg.Kind)))
+    {
+      continue;
+    }
+    const Vec3 place = leg.Positions[leg.Positions.size() / 2];
+    const double height = place[2] - FindGround(points, place);
+    double length = 0.0;
+    for (std::size_t i = 1; i < leg.Positions.size(); ++i)
+    {
+      length += (leg.Positions[i] - leg.Positions[i - 1]).Norm();
+    }
+    leg.Kind = leg.Kind == PlatformKind::Unknown
+      ? GuessPlatformKind(height, length / std::max(1e-3, leg.EndTime - leg.StartTime))
+      : leg.Kind;
+    leg.Height =
+      IsOnGround(leg.Kind) && height > MinimumLift && height < MaximumLift ? height : 0.0;
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -302,6 +331,7 @@ void Simulation::ReadLegs()
     leg.Mount = data.GetPlatform(index).Mount;
     leg.IsMoving = data.IsMoving(index);
     leg.Type = data.GetPlatform(index).Type;
+    leg.Kind = FindPlatformKind(data.GetPlatform(index));
     const ScanData& scan = data.Legs[index].Scans.front();
     leg.LineFrequency = scan.ScanFrequency;
     leg.Clock = { shots, times[0], scan.PulseFrequency };

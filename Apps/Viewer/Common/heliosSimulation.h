@@ -5,8 +5,9 @@
 #ifndef heliosSimulation_h
 #define heliosSimulation_h
 
-#include "heliosPulseClock.h"
+#include "heliosPlatformKind.h"
 #include "heliosPose.h"
+#include "heliosPulseClock.h"
 #include "heliosSurveyData.h"
 #include "heliosTrajectory.h"
 #include "vtkHeliosSurvey.h"
@@ -43,6 +44,8 @@ struct SimulatedLeg
   std::vector<Vec3> Positions; ///< positions of its samples
   bool IsMoving = false;
   PlatformType Type = PlatformType::Static;
+  PlatformKind Kind = PlatformKind::Unknown; ///< for its model
+  double Height = 0.0; ///< height of a trajectory above the ground that its platform is on [m]
   double LineFrequency = 0.0; ///< lines of the scan per second [Hz]; 0: unknown
   PulseClock Clock;           ///< clock of one channel
   ModelData Model;            ///< model of the platform
@@ -61,6 +64,10 @@ struct SimulatedLeg
   /// Returns the pose of the scanner head on the platform at a time [s]: its mount, rotated.
   Pose GetHead(double time) const;
 };
+
+/// Sets the kinds of platforms that are not known, and the heights of those on the ground, by points
+/// of the scene or cloud.
+void FindPlatforms(std::vector<SimulatedLeg>& legs, const std::vector<Vec3>& points);
 
 /// Returns the leg at a time [s], the last one started; null before the first.
 const SimulatedLeg* FindLeg(const std::vector<SimulatedLeg>& legs, double time);

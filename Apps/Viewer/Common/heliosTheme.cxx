@@ -5,6 +5,8 @@
 #include <vtkTextProperty.h>
 
 #include <algorithm>
+#include <filesystem>
+#include <string>
 
 namespace helios::viewer
 {
@@ -31,6 +33,7 @@ Theme MakeDark()
   theme.Waveform = { 90, 205, 250 };
   theme.Fit = { 250, 128, 150 };
   theme.Mark = { 255, 216, 64 };
+  theme.Scene = { { 24, 26, 32 }, 0.45 };
   theme.Ramp = { 0.30, 1.0 };
   return theme;
 }
@@ -54,6 +57,7 @@ Theme MakeLight()
   theme.Waveform = { 0, 112, 178 };
   theme.Fit = { 196, 44, 84 };
   theme.Mark = { 214, 90, 0 };
+  theme.Scene = { { 255, 255, 255 }, 0.62 };
   theme.Ramp = { 0.0, 0.78 };
   return theme;
 }
@@ -62,6 +66,22 @@ const std::vector<Theme>& GetThemes()
 {
   static const std::vector<Theme> themes{ MakeDark(), MakeLight() };
   return themes;
+}
+
+/// Returns a font of the system with clear letters and brackets; empty: none is there.
+std::string FindFontFile()
+{
+  std::error_code ignored;
+  for (const char* name : { "dejavu/DejaVuSans.ttf", "liberation/LiberationSans-Regular.ttf",
+         "liberation2/LiberationSans-Regular.ttf", "noto/NotoSans-Regular.ttf" })
+  {
+    const std::string path = std::string("/usr/share/fonts/truetype/") + name;
+    if (std::filesystem::exists(path, ignored))
+    {
+      return path;
+    }
+  }
+  return {};
 }
 
 } // namespace
@@ -95,7 +115,16 @@ int GetTextSize(int width, int height)
 //------------------------------------------------------------------------------
 void SetUpText(vtkTextProperty* letters, const Rgb& color, int size)
 {
-  letters->SetFontFamilyToArial();
+  static const std::string file = FindFontFile();
+  if (file.empty())
+  {
+    letters->SetFontFamilyToArial(); // of VTK, with brackets that look round
+  }
+  else
+  {
+    letters->SetFontFamily(VTK_FONT_FILE);
+    letters->SetFontFile(file.c_str());
+  }
   letters->SetFontSize(size);
   letters->SetColor(Shade(color).Rgb);
   letters->ShadowOff();

@@ -32,6 +32,7 @@ struct Theme
   Rgb Waveform;         ///< measured curve
   Rgb Fit;              ///< fitted curve
   Rgb Mark;             ///< selected echo, measured line
+  Veil Scene;           ///< over the mesh of a scene with echoes
   RampPart Ramp;        ///< part of the colour map: without the end close to the background
 };
 

@@ -133,9 +133,10 @@ std::string EditSurvey(const SurveyData& survey, SurveyEdit& edit)
       << survey.Legs.size() - count << " of " << survey.Legs.size()
       << " legs are left out: those of other platforms, scanners, trajectories or trajectory files";
   }
-  if (!edit.Legs.empty())
+  if (!survey.Legs.empty() && !survey.Legs.front().Scans.empty())
   {
-    edit.Settings = edit.Legs.front().Settings;
+    edit.Settings = edit.Legs.empty() ? Unresolve(survey, 0) : edit.Legs.front().Settings;
+    edit.Settings.Leg.Trajectory = TrajectoryFileData();
     edit.Settings.Leg.Active = true;
     edit.Settings.Leg.Strip.clear();
     edit.Settings.Leg.Crs.clear();

@@ -140,6 +140,7 @@ EditPanel::~EditPanel() = default;
 void EditPanel::SetRanges(const std::vector<EditRange>& ranges)
 {
   this->Sliders.clear();
+  this->HasLists = !ranges.empty();
   for (const EditRange& range : ranges)
   {
     this->Sliders.push_back(std::make_unique<Slider>(*this, range));
@@ -189,13 +190,20 @@ void EditPanel::Paint(Painter& painter, const Rect& rect) const
   const Rect inside = rect.Shrunk(GetTextMargin(size));
   const int step = painter.GetLineHeight();
   int y = inside.Top() - step / 2;
-  bool isFirst = true;
-  for (const std::string& line : SplitLines(this->Heading.GetText()))
+  int line = 0;
+  for (const std::string& text : SplitLines(this->Heading.GetText()))
   {
-    painter.DrawText(inside.X, y, Shorten(line, size, inside.Width),
-      isFirst ? painter.GetTheme().Heading : painter.GetTheme().Ink);
+    const bool isList = this->HasLists && line > 0 && line < 3;
+    painter.DrawText(inside.X, y, Shorten(text, size, inside.Width - (isList ? 2 * size : 0)),
+      line == 0 ? painter.GetTheme().Heading : painter.GetTheme().Ink);
+    if (isList)
+    {
+      const double x = inside.Right() - size, half = 0.3 * size;
+      painter.FillTriangle(
+        { x - half, y + half, x + half, y + half, x, y - half }, painter.GetTheme().FaintInk);
+    }
     y -= step;
-    isFirst = false;
+    ++line;
   }
   for (const auto& slider : this->Sliders)
   {

@@ -59,6 +59,7 @@ private:
   TextPanel Heading;
   std::vector<std::unique_ptr<Slider>> Sliders;
   bool IsVisible = false;
+  bool HasLists = false; // lines 1 and 2 open lists
 };
 
 } // namespace helios::viewer

@@ -30,28 +30,6 @@ namespace
 
 constexpr std::size_t MaximumUndos = 200;
 
-/// Returns an entry, some steps after a given one.
-template <typename T>
-const std::pair<std::string, T>* FindNext(
-  const std::vector<std::pair<std::string, T>>& entries, const std::string& reference, int step)
-{
-  if (entries.empty())
-  {
-    return nullptr;
-  }
-  const auto now = std::find_if(entries.begin(), entries.end(),
-    [&reference](const auto& entry) { return entry.first == reference; });
-  const auto count = static_cast<int>(entries.size());
-  const int at = now == entries.end() ? -1 : static_cast<int>(now - entries.begin());
-  return &entries[static_cast<std::size_t>((at + step + 2 * count) % count)];
-}
-
-/// A static platform covers all directions only with head rotation.
-bool IsFit(const SurveyEdit& edit, const ScannerData& scanner)
-{
-  return edit.IsMoving() || scanner.HeadRotateSpeedMax > 0.0;
-}
-
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -114,7 +92,11 @@ void EditTool::MakeActions()
   this->Actions["z"] = [](EditTool& tool) { tool.Undo(); };
   this->Actions["Return"] = [](EditTool& tool) { tool.Scan(); };
   this->Actions["KP_Enter"] = this->Actions["Return"];
-  this->Actions["s"] = [](EditTool& tool) { tool.Save(); };
+  this->Actions["s"] = [](EditTool& tool)
+  {
+    const std::string problem = tool.Save();
+    problem.empty() ? void() : tool.Owner.ShowError(problem);
+  };
   this->PartActions["Up"] = [](EditTool& tool) { tool.MovePart(0.0, 1.0); };
   this->PartActions["Down"] = [](EditTool& tool) { tool.MovePart(0.0, -1.0); };
   this->PartActions["Left"] = [](EditTool& tool) { tool.MovePart(-1.0, 0.0); };
@@ -175,9 +157,17 @@ bool EditTool::Toggle()
       [this](const std::string& name, double value, bool isOver)
       { this->ChangeSetting(name, value, isOver); });
     this->Owner.GetHud().SetEditor(this->Panel.get());
+    this->Owner.GetHud().SetOnEditorLine(
+      [this](int line)
+      {
+        const bool isList = this->Doing != Mode::Parts && (line == 1 || line == 2);
+        isList ? this->Owner.GetHud().OpenMenu(line == 1 ? "Platform" : "Instrument") : void();
+        return isList;
+      });
   }
   this->SetMode(Mode::Scanner);
   this->HasChanges ? this->ShowGhost() : void();
+  this->Owner.UpdateMenus();
   this->Owner.ShowMessage(
     this->IsOn ? "direct control: click the scan position, Return scans" : "direct control is off");
   return true;
@@ -273,6 +263,7 @@ void EditTool::SetMode(Mode mode)
   this->HasCorner = false;
   this->Part.clear();
   this->ShowPanel();
+  this->Owner.UpdateMenus();
   if (mode == Mode::Area)
   {
     this->Owner.ShowMessage("flight lines: click a corner of the rectangle, then the opposite one");
@@ -297,46 +288,6 @@ void EditTool::Remove()
     this->ShowGhost();
     this->ShowPanel();
   }
-}
-
-//------------------------------------------------------------------------------
-void EditTool::ChangePlatform(int step)
-{
-  const auto* next = FindNext(this->Choice.Platforms, this->Edit.Platform, step);
-  if (!next)
-  {
-    this->Owner.ShowMessage("the catalogue has no platform: give its folder with --assets");
-    return;
-  }
-  this->Remember();
-  ChoosePlatform(this->Edit, next->first, next->second);
-  if (!IsFit(this->Edit, this->Edit.ScannerModel))
-  {
-    this->ChangeScanner(1, true);
-  }
-  this->ShowGhost();
-  this->ShowPanel();
-}
-
-//------------------------------------------------------------------------------
-void EditTool::ChangeScanner(int step, bool isRemembered)
-{
-  const auto* next = FindNext(this->Choice.Scanners, this->Edit.Scanner, step);
-  for (std::size_t i = 0; next && !IsFit(this->Edit, next->second); ++i)
-  {
-    next = i < this->Choice.Scanners.size() ? FindNext(this->Choice.Scanners, next->first, step)
-                                            : nullptr;
-  }
-  if (!next)
-  {
-    this->Owner.ShowMessage(
-      "the catalogue has no other instrument for it: give a folder with --assets");
-    return;
-  }
-  isRemembered ? void() : this->Remember();
-  ChooseScanner(this->Edit, next->first, next->second);
-  this->ShowGhost();
-  this->ShowPanel();
 }
 
 //------------------------------------------------------------------------------
@@ -393,8 +344,12 @@ void EditTool::Scan()
 }
 
 //------------------------------------------------------------------------------
-void EditTool::Save()
+std::string EditTool::Save()
 {
+  if (!this->HasBegun && !this->Begin())
+  {
+    return "there is nothing to save: open a survey or a scene, and wait for it";
+  }
   const fs::path file = this->Owner.GetOptions().Save;
   vtkNew<vtkHeliosSurvey> owner;
   const ErrorText errors(owner);
@@ -410,13 +365,12 @@ void EditTool::Save()
   }
   status =
     status.IsOk() ? SaveSurvey(edit, file.string(), this->Owner.GetOptions().Assets, log) : status;
-  if (!status.IsOk())
+  if (status.IsOk())
   {
-    this->Owner.ShowError(status.Message());
-    return;
+    this->Saved = file.string();
+    this->Owner.ShowMessage("saved: vtkhelios run " + this->Saved);
   }
-  this->Saved = file.string();
-  this->Owner.ShowMessage("saved: vtkhelios run " + this->Saved);
+  return status.Message();
 }
 
 //------------------------------------------------------------------------------
@@ -429,6 +383,7 @@ void EditTool::OnNewSurvey()
   this->IsOn = false;
   this->HasBegun = false;
   this->HasNewScene = false;
+  this->Owner.UpdateMenus(); // they refer to the catalogue
   this->HasChanges = false;
   this->Ghost.reset();
   this->UndoStack.clear();

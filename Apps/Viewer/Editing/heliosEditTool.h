@@ -31,11 +31,14 @@ public:
 
   std::string GetName() const override { return "Direct control"; }
   std::vector<KeyHelp> GetKeys() const override;
+  std::vector<Menu> GetMenus() override;
+  bool IsActive() const override { return this->IsOn; }
   bool OnKey(const std::string& key, bool control) override;
   bool OnClick(int x, int y) override;
   void Place() override;
   bool OnFrame() override;
   void OnNewSurvey() override;
+  std::string Save() override;
   void Describe(Json::Value& state) const override;
 
 private:
@@ -59,12 +62,14 @@ private:
   bool BeginWithSurvey();
   bool BeginWithScene();
   void FindGround();
+  void FollowPlatform();
   void Remember();
   void Undo();
   void Scan();
-  void Save();
   void SetMode(Mode mode);
   void ChangePlatform(int step);
+  void SetPlatform(const std::pair<std::string, PlatformData>& platform);
+  void SetScanner(const std::pair<std::string, ScannerData>& scanner);
   void ChangeScanner(int step, bool isRemembered = false);
   void ChangeSetting(const std::string& name, double value, bool isOver);
   void Remove();

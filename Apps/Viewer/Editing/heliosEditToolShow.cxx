@@ -6,11 +6,13 @@
 #include "heliosEditArea.h"
 #include "heliosEditDocument.h"
 #include "heliosErrorText.h"
+#include "heliosGroundHeight.h"
 #include "heliosHud.h"
 #include "heliosMessages.h"
 #include "heliosSceneView.h"
 #include "heliosSimulation.h"
 #include "heliosViewer.h"
+#include "heliosXmlValue.h"
 #include "vtkHeliosDialect.h"
 #include "vtkHeliosSurvey.h"
 
@@ -19,6 +21,7 @@
 
 #include <json/json.h>
 
+#include <algorithm>
 #include <cmath>
 #include <filesystem>
 
@@ -110,12 +113,46 @@ bool EditTool::Begin()
 bool EditTool::BeginWithSurvey()
 {
   const std::string left = EditSurvey(this->Owner.GetSurvey()->GetData(), this->Edit);
+  this->FollowPlatform();
   this->FindGround();
   if (!left.empty())
   {
     this->Owner.ShowMessage(left);
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+/// Sets height and speed to those of the survey. A platform that plays a trajectory back becomes the
+/// one that it is based on, to be steered by hand.
+void EditTool::FollowPlatform()
+{
+  const std::vector<SimulatedLeg>& legs = this->Owner.GetLegs();
+  if (!this->Edit.IsMoving() || legs.empty() || legs.front().Positions.empty())
+  {
+    return;
+  }
+  const SimulatedLeg& leg = legs.front();
+  const Vec3 place = leg.Positions[leg.Positions.size() / 2];
+  const double height =
+    place[2] - viewer::FindGround(SampleMesh(this->Owner.GetSceneView()->GetScene()), place);
+  double length = 0.0;
+  for (std::size_t i = 1; i < leg.Positions.size(); ++i)
+  {
+    length += (leg.Positions[i] - leg.Positions[i - 1]).Norm();
+  }
+  if (this->Edit.PlatformModel.Type == PlatformType::Interpolated)
+  {
+    this->Edit.Settings.Leg.Speed = RoundComputed(length / (leg.EndTime - leg.StartTime));
+    const auto base = std::find_if(this->Choice.Platforms.begin(), this->Choice.Platforms.end(),
+      [&](const auto& entry) { return entry.second.Id == this->Edit.PlatformModel.Id; });
+    if (base != this->Choice.Platforms.end())
+    {
+      this->Edit.Platform = base->first;
+      this->Edit.PlatformModel = base->second;
+    }
+  }
+  std::isfinite(height) ? SetFlownHeight(this->Edit, height) : void();
 }
 
 //------------------------------------------------------------------------------
@@ -243,6 +280,10 @@ void EditTool::PlaceGhost()
   const std::size_t index = this->Edit.HasArea ? 0 : this->Edit.Legs.size() - 1;
   SimulatedLeg leg;
   leg.Type = this->Edit.PlatformModel.Type;
+  leg.Kind = FindPlatformKind(this->Edit.PlatformModel);
+  leg.Kind = leg.Kind == PlatformKind::Unknown
+    ? GuessPlatformKind(this->Edit.Height, this->Edit.Settings.Leg.Speed)
+    : leg.Kind;
   leg.Mount = this->Edit.PlatformModel.Mount;
   leg.Model = this->Edit.PlatformModel.Model;
   leg.ScannerModel = this->Edit.ScannerModel.Model;

@@ -3,6 +3,7 @@
 #include "heliosSurveyEdit.h"
 
 #include "heliosMessages.h"
+#include "heliosPlatformKind.h"
 #include "heliosXmlValue.h"
 
 #include <vtkMath.h>
@@ -14,6 +15,10 @@
 namespace helios
 {
 
+using viewer::FindPlatformKind;
+using viewer::IsOnGround;
+using viewer::PlatformKind;
+
 namespace
 {
 
@@ -22,6 +27,7 @@ constexpr double UsualScanAngle = 30.0;      // [deg], half, from the air
 constexpr double UsualScanFrequency = 100.0; // [Hz], without a limit of the instrument
 constexpr double MaximumScanFrequency = 400.0;
 constexpr double MaximumHeight = 3000.0; // [m]
+constexpr double MaximumMast = 10.0;     // [m], of what drives
 constexpr double MaximumSpeed = 100.0;   // [m/s]
 
 /// Returns the half scan angle of emitted pulses [deg].
@@ -32,10 +38,37 @@ double FindHalfAngle(const ScannerData& scanner)
   return angle > 0.0 ? angle : 90.0;
 }
 
-/// The minimum height at which an instrument has returns [m].
-double FindMinimumHeight(const ScannerData& scanner)
+/// Returns the kind of a moving platform; one that nothing is known of is an aircraft.
+PlatformKind FindKind(const SurveyEdit& edit)
 {
-  return std::max(1.0, scanner.Receiver.RangeMin);
+  const PlatformKind kind = FindPlatformKind(edit.PlatformModel);
+  return kind == PlatformKind::Unknown ? PlatformKind::Aircraft : kind;
+}
+
+/// The minimum height at which an instrument has returns [m]; what drives is on the ground.
+double FindMinimumHeight(const SurveyEdit& edit)
+{
+  return IsOnGround(FindKind(edit)) ? 0.0 : std::max(1.0, edit.ScannerModel.Receiver.RangeMin);
+}
+
+double FindMaximumHeight(const SurveyEdit& edit)
+{
+  const double minimum = FindMinimumHeight(edit);
+  return IsOnGround(FindKind(edit))
+    ? MaximumMast
+    : std::max(2.0 * minimum, std::min(edit.ScannerModel.Receiver.RangeMax, MaximumHeight));
+}
+
+/// Sets height, speed and scan angle as they are usual for a kind of platform.
+void SetUsualMotion(SurveyEdit& edit)
+{
+  const PlatformKind kind = FindKind(edit);
+  edit.Height = IsOnGround(kind) ? 0.0 : kind == PlatformKind::Multicopter ? 50.0 : 500.0;
+  edit.Settings.Leg.Speed = kind == PlatformKind::Person ? 1.2
+    : kind == PlatformKind::Tractor                      ? 2.0
+    : kind == PlatformKind::Car                          ? 10.0
+    : kind == PlatformKind::Multicopter                  ? 5.0
+                                                         : 60.0;
 }
 
 bool HasWindow(const SurveyEdit& edit)
@@ -179,7 +212,7 @@ LegSettings MakeUsualSettings(const SurveyEdit& edit)
   }
   if (HasScanAngle(edit))
   {
-    settings.ScanAngle = std::min(half, UsualScanAngle);
+    settings.ScanAngle = IsOnGround(FindKind(edit)) ? half : std::min(half, UsualScanAngle);
   }
   if (HasWindow(edit))
   {
@@ -228,7 +261,23 @@ void BeginAgain(SurveyEdit& edit)
   Follow(edit);
 }
 
+void LimitHeight(SurveyEdit& edit)
+{
+  edit.Height = std::clamp(edit.Height, FindMinimumHeight(edit), FindMaximumHeight(edit));
+}
+
 } // namespace
+
+//------------------------------------------------------------------------------
+void SetFlownHeight(SurveyEdit& edit, double height)
+{
+  edit.Height = std::max(0.0, RoundComputed(height));
+  LimitHeight(edit);
+  for (EditLeg& leg : edit.Legs)
+  {
+    leg.Ground = leg.Settings.Leg.Position[2] - edit.Height;
+  }
+}
 
 //------------------------------------------------------------------------------
 std::vector<EditRange> FindRanges(const SurveyEdit& edit)
@@ -267,10 +316,8 @@ std::vector<EditRange> FindRanges(const SurveyEdit& edit)
   }
   if (edit.IsMoving())
   {
-    ranges.push_back({ "height", "height above ground", "m", FindMinimumHeight(scanner),
-      std::max(
-        2.0 * FindMinimumHeight(scanner), std::min(scanner.Receiver.RangeMax, MaximumHeight)),
-      {} });
+    ranges.push_back({ "height", "height above ground", "m", FindMinimumHeight(edit),
+      FindMaximumHeight(edit), {} });
     ranges.push_back({ "speed", "speed", "m/s", 0.5, MaximumSpeed, {} });
     ranges.push_back({ "overlap", "strip overlap", "%", 0.0, 95.0, {} });
   }
@@ -337,9 +384,16 @@ std::string ClampSettings(const SurveyEdit& edit, LegSettings& settings)
 void ChoosePlatform(SurveyEdit& edit, const std::string& reference, const PlatformData& platform)
 {
   const bool wasMoving = edit.IsMoving();
+  const PlatformKind before = FindKind(edit);
   edit.Platform = reference;
   edit.PlatformModel = platform;
-  wasMoving == edit.IsMoving() ? Follow(edit) : BeginAgain(edit);
+  const bool isSame = wasMoving == edit.IsMoving() && (!wasMoving || before == FindKind(edit));
+  if (!isSame && edit.IsMoving())
+  {
+    SetUsualMotion(edit);
+    LimitHeight(edit);
+  }
+  isSame ? Follow(edit) : BeginAgain(edit);
 }
 
 //------------------------------------------------------------------------------
@@ -347,8 +401,7 @@ void ChooseScanner(SurveyEdit& edit, const std::string& reference, const Scanner
 {
   edit.Scanner = reference;
   edit.ScannerModel = scanner;
-  edit.Height =
-    std::max(FindMinimumHeight(scanner), std::min(edit.Height, scanner.Receiver.RangeMax));
+  LimitHeight(edit);
   BeginAgain(edit);
 }
 

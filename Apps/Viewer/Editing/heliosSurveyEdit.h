@@ -74,6 +74,9 @@ std::string SetSetting(SurveyEdit& edit, const std::string& name, double value);
 /// Adapts the settings of one leg to the instrument; returns the changes as text.
 std::string ClampSettings(const SurveyEdit& edit, LegSettings& settings);
 
+/// Sets the height that the legs are flown at: their ground is below them.
+void SetFlownHeight(SurveyEdit& edit, double height);
+
 ///@{
 /// Selects another platform or instrument, with its default settings.
 void ChoosePlatform(SurveyEdit& edit, const std::string& reference, const PlatformData& platform);

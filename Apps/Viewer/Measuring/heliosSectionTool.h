@@ -30,6 +30,7 @@ public:
   std::string GetName() const override { return "Section"; }
   std::vector<KeyHelp> GetKeys() const override;
   bool OnKey(const std::string& key, bool control) override;
+  bool IsActive() const override { return this->IsOn; }
   bool OnClick(int x, int y) override;
   void OnNewSurvey() override;
   std::string GetStatus() const override;

@@ -88,14 +88,15 @@ void Hud::Resize(int width, int height)
 }
 
 //------------------------------------------------------------------------------
-std::array<std::pair<PanelId, const Panel*>, 11> Hud::GetPanels() const
+std::array<std::pair<PanelId, const Panel*>, 14> Hud::GetPanels() const
 {
   return { { { PanelId::MenuBar, &this->Bar }, { PanelId::Help, &this->Help },
     { PanelId::Menu, &this->List }, { PanelId::Legend, &this->Colours },
     { PanelId::Message, &this->Message }, { PanelId::Status, &this->Status },
     { PanelId::Axes, &this->Axes }, { PanelId::ScaleBar, &this->Scale },
     { PanelId::Legs, &this->Legs }, { PanelId::Cursor, &this->Cursor },
-    { PanelId::Editor, this->Editor } } };
+    { PanelId::Editor, this->Editor }, { PanelId::ToolBar, &this->Tools },
+    { PanelId::Dialog, &this->Files }, { PanelId::Tip, &this->Tip } } };
 }
 
 //------------------------------------------------------------------------------
@@ -104,7 +105,7 @@ bool Hud::IsShown(PanelId id) const
 {
   const bool isPicture =
     id == PanelId::Legend || id == PanelId::ScaleBar || id == PanelId::Axes || id == PanelId::Chart;
-  const bool isHelp = id == PanelId::Help;
+  const bool isHelp = id == PanelId::Help || id == PanelId::Dialog;
   return (this->Visible && (isPicture || !this->IsStill)) || (isHelp && !this->IsStill);
 }
 
@@ -151,7 +152,7 @@ void Hud::Paint(vtkContext2D* context) const
   for (const auto& panel : this->GetPanels())
   {
     const Rect& rect = this->GetRect(panel.first);
-    if (!rect.IsEmpty() && panel.second)
+    if (!rect.IsEmpty() && panel.second && panel.first != PanelId::Tip)
     {
       panel.second->Paint(painter, rect);
     }
@@ -160,6 +161,8 @@ void Hud::Paint(vtkContext2D* context) const
   {
     this->PaintPlayButton(painter);
   }
+  const Rect& tip = this->GetRect(PanelId::Tip); // over others
+  tip.IsEmpty() ? void() : this->Tip.Paint(painter, tip);
 }
 
 //------------------------------------------------------------------------------
@@ -191,6 +194,44 @@ void Hud::OpenMenu(int menu)
 }
 
 //------------------------------------------------------------------------------
+void Hud::OpenMenu(const std::string& title)
+{
+  for (std::size_t i = 0; i < this->Menus.size(); ++i)
+  {
+    this->Menus[i].Title == title ? this->OpenMenu(static_cast<int>(i)) : void();
+  }
+}
+
+//------------------------------------------------------------------------------
+bool Hud::ShowTip(int x, int y)
+{
+  const Rect& bar = this->GetRect(PanelId::ToolBar);
+  const int button = bar.IsEmpty() ? -1 : this->Tools.Find(bar, x, y, this->TextSize);
+  if (button == this->Tools.GetHovered())
+  {
+    return false;
+  }
+  this->Tools.SetHovered(button);
+  this->Tip.SetText(
+    button < 0 ? "" : this->Tools.GetButtons()[static_cast<std::size_t>(button)].Tip);
+  this->Places.SetTipPosition(button < 0 ? 0 : this->Tools.GetPlace(bar, button, this->TextSize).X);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+bool Hud::OnWheel(int x, int y, int rows)
+{
+  if (this->Files.IsOpen())
+  {
+    this->Files.OnWheel(rows);
+    return true;
+  }
+  const Rect& menu = this->GetRect(PanelId::Menu);
+  menu.Contains(x, y) ? this->List.Scroll(rows, menu, this->TextSize) : void();
+  return menu.Contains(x, y);
+}
+
+//------------------------------------------------------------------------------
 bool Hud::CloseMenu()
 {
   const bool wasOpen = this->Bar.GetOpen() >= 0 || this->IsHelpVisible();
@@ -199,23 +240,34 @@ bool Hud::CloseMenu()
 }
 
 //------------------------------------------------------------------------------
-bool Hud::OnPress(int x, int y)
+bool Hud::OnPress(int x, int y, double time)
 {
+  if (this->Files.IsOpen())
+  {
+    this->Files.OnPress(this->GetRect(PanelId::Dialog), x, y, this->TextSize, time);
+    return true;
+  }
   if (!this->Visible && y >= this->Window[1] - this->TextSize)
   {
     this->SetVisible(true); // the mouse has no key to get the menus back
     return true;
   }
   PanelId id = PanelId::Status;
-  const bool isOnPanel = this->Places.Find(x, y, id);
-  if (isOnPanel && id == PanelId::MenuBar)
+  return (this->Places.Find(x, y, id) && this->PressPanel(id, x, y)) || this->CloseMenu();
+}
+
+//------------------------------------------------------------------------------
+/// Handles a press on a panel; false: it does nothing.
+bool Hud::PressPanel(PanelId id, int x, int y)
+{
+  if (id == PanelId::MenuBar)
   {
     const int menu = this->Bar.FindMenu(x, this->TextSize);
     this->Help.SetVisible(false);
     this->OpenMenu(menu == this->Bar.GetOpen() ? -1 : menu);
     return true;
   }
-  if (isOnPanel && id == PanelId::Menu)
+  if (id == PanelId::Menu)
   {
     const MenuItem* item = this->List.FindItem(this->GetRect(id).Top() - 1 - y, this->TextSize);
     const std::function<void()> action = item ? item->Do : nullptr;
@@ -223,12 +275,25 @@ bool Hud::OnPress(int x, int y)
     action ? action() : void();
     return true;
   }
-  if (isOnPanel && id == PanelId::TimeBar && x < this->GetTimeTrack().X && this->OnPlay)
+  if (id == PanelId::ToolBar)
+  {
+    const int button = this->Tools.Find(this->GetRect(id), x, y, this->TextSize);
+    this->CloseMenu();
+    button < 0 ? void() : this->Tools.GetButtons()[static_cast<std::size_t>(button)].Do();
+    return true;
+  }
+  if (id == PanelId::Editor && this->OnEditorLine)
+  {
+    const int top = this->GetRect(id).Top() - GetTextMargin(this->TextSize);
+    this->CloseMenu();
+    return this->OnEditorLine((top - y) / GetLineHeight(this->TextSize));
+  }
+  if (id == PanelId::TimeBar && x < this->GetTimeTrack().X && this->OnPlay)
   {
     this->OnPlay();
     return true;
   }
-  return this->CloseMenu();
+  return false;
 }
 
 //------------------------------------------------------------------------------

@@ -5,12 +5,14 @@
 #ifndef heliosHud_h
 #define heliosHud_h
 
+#include "heliosFileDialog.h"
 #include "heliosLayout.h"
 #include "heliosLegend.h"
 #include "heliosMenu.h"
 #include "heliosScaleBar.h"
 #include "heliosTextPanel.h"
 #include "heliosTheme.h"
+#include "heliosToolBar.h"
 
 #include <vtkNew.h>
 
@@ -54,7 +56,32 @@ public:
   const std::vector<Menu>& GetMenus() const { return this->Menus; }
 
   /// Sets whether there is a mouse, for the menu bar.
-  void SetInteractive(bool isInteractive) { this->Bar.SetVisible(isInteractive); }
+  void SetInteractive(bool isInteractive)
+  {
+    this->Bar.SetVisible(isInteractive);
+    this->Tools.SetVisible(isInteractive);
+  }
+
+  /// @{
+  /// Returns the buttons, and the dialog.
+  ToolBar& GetToolBar() { return this->Tools; }
+  const ToolBar& GetToolBar() const { return this->Tools; }
+  FileDialog& GetDialog() { return this->Files; }
+  const FileDialog& GetDialog() const { return this->Files; }
+  ///@}
+
+  /// Opens the menu of a title, if there is one.
+  void OpenMenu(const std::string& title);
+
+  /// Sets what a press on a line of the editor does, from 0; true: something.
+  void SetOnEditorLine(std::function<bool(int)> onLine) { this->OnEditorLine = std::move(onLine); }
+
+  /// Shows what the button below the mouse does; true: changed.
+  bool ShowTip(int x, int y);
+  const std::string& GetTip() const { return this->Tip.GetText(); }
+
+  /// Handles a turn of the wheel by rows, downwards; true: on a list.
+  bool OnWheel(int x, int y, int rows);
 
   /// Sets whether there is a time bar.
   void SetTimeBar(bool isShown) { this->HasTimeBar = isShown; }
@@ -88,8 +115,8 @@ public:
   /// Returns the part of the time bar that its handle moves in.
   Rect GetTimeTrack() const;
 
-  /// Handles a press of the left button; true: on a panel.
-  bool OnPress(int x, int y);
+  /// Handles a press of the left button at a time [s]; true: on a panel.
+  bool OnPress(int x, int y, double time = 0.0);
 
   /// Closes menu and help; true: one was open.
   bool CloseMenu();
@@ -105,9 +132,10 @@ public:
   void Paint(vtkContext2D* context) const;
 
 private:
-  std::array<std::pair<PanelId, const Panel*>, 11> GetPanels() const;
+  std::array<std::pair<PanelId, const Panel*>, 14> GetPanels() const;
   bool IsShown(PanelId id) const;
   void OpenMenu(int menu);
+  bool PressPanel(PanelId id, int x, int y);
   void PaintPlayButton(Painter& painter) const;
 
   vtkRenderer* Renderer;
@@ -115,7 +143,9 @@ private:
   const Theme* Colors;
   std::vector<Menu> Menus;
   Layout Places;
-  TextPanel Status, Legs, Cursor;
+  TextPanel Status, Legs, Cursor, Tip;
+  ToolBar Tools;
+  FileDialog Files;
   TextPanel Message{ true };
   LegendPanel Colours;
   MenuBar Bar{ this->Menus };
@@ -125,6 +155,7 @@ private:
   AxesPanel Axes;
   const Panel* Editor = nullptr;
   std::function<void()> OnPlay;
+  std::function<bool(int)> OnEditorLine;
   bool IsPlaying = false;
   bool HasTimeBar = false;
   bool Visible = true;

@@ -24,8 +24,9 @@ int Fit(int wanted, int room, int minimum)
 //------------------------------------------------------------------------------
 std::string GetPanelName(PanelId id)
 {
-  static const char* const names[NumberOfPanels] = { "menuBar", "timeBar", "help", "menu", "editor",
-    "chart", "legend", "message", "status", "axes", "scaleBar", "legs", "cursor" };
+  static const char* const names[NumberOfPanels] = { "menuBar", "toolBar", "timeBar", "dialog",
+    "help", "menu", "tip", "editor", "chart", "legend", "message", "status", "axes", "scaleBar",
+    "legs", "cursor" };
   return names[static_cast<std::size_t>(id)];
 }
 
@@ -43,6 +44,11 @@ void Layout::Place()
   this->Rects.fill(Rect());
   this->PlaceBars();
   const Rect area = this->View.Shrunk(this->Gap);
+  if (!this->GetSize(PanelId::Dialog).IsEmpty())
+  {
+    this->PlaceDialog();
+    return;
+  }
   if (!this->GetSize(PanelId::Help).IsEmpty())
   {
     this->Set(PanelId::Help, area);
@@ -57,9 +63,12 @@ void Layout::Place()
 //------------------------------------------------------------------------------
 void Layout::PlaceBars()
 {
-  const int top = std::min(this->GetSize(PanelId::MenuBar).Height, this->Height);
+  const int menus = std::min(this->GetSize(PanelId::MenuBar).Height, this->Height);
+  const int tools = std::min(this->GetSize(PanelId::ToolBar).Height, this->Height - menus);
+  const int top = menus + tools;
   const int bottom = std::min(this->GetSize(PanelId::TimeBar).Height, this->Height - top);
-  this->Set(PanelId::MenuBar, { 0, this->Height - top, this->Width, top });
+  this->Set(PanelId::MenuBar, { 0, this->Height - menus, this->Width, menus });
+  this->Set(PanelId::ToolBar, { 0, this->Height - top, this->Width, tools });
   this->Set(PanelId::TimeBar, { 0, 0, this->Width, bottom });
   this->View = { 0, bottom, this->Width, this->Height - top - bottom };
 }
@@ -139,10 +148,35 @@ void Layout::PlaceChart(const Rect& area, int bottom)
 //------------------------------------------------------------------------------
 void Layout::PlaceMenu()
 {
-  const PanelSize menu = this->GetSize(PanelId::Menu);
-  const int x = std::max(0, std::min(this->MenuX, this->Width - menu.Width));
-  const int height = std::min(menu.Height, this->View.Height);
-  this->Set(PanelId::Menu, { x, this->View.Top() - height, menu.Width, height });
+  // An open menu covers the buttons, which are of no use then.
+  const Rect& bar = this->Get(PanelId::MenuBar);
+  this->Set(PanelId::Menu, this->MakeDrop(PanelId::Menu, this->MenuX, bar.Y));
+  this->Set(PanelId::Tip, this->MakeDrop(PanelId::Tip, this->TipX, this->View.Top()));
+  if (this->Get(PanelId::Menu).IsEmpty())
+  {
+    return;
+  }
+  this->Set(PanelId::ToolBar, Rect());
+  this->Set(PanelId::Tip, Rect());
+}
+
+//------------------------------------------------------------------------------
+/// Returns a rectangle that hangs down from a height, within the window.
+Rect Layout::MakeDrop(PanelId id, int x, int top) const
+{
+  const PanelSize size = this->GetSize(id);
+  const int height = std::min(size.Height, top - this->View.Y);
+  return { std::max(0, std::min(x, this->Width - size.Width)), top - height, size.Width, height };
+}
+
+//------------------------------------------------------------------------------
+void Layout::PlaceDialog()
+{
+  const Rect area = this->View.Shrunk(this->Gap);
+  const PanelSize size = this->GetSize(PanelId::Dialog);
+  const int width = std::min(size.Width, area.Width), height = std::min(size.Height, area.Height);
+  this->Set(PanelId::Dialog,
+    { area.X + (area.Width - width) / 2, area.Y + (area.Height - height) / 2, width, height });
 }
 
 //------------------------------------------------------------------------------
@@ -157,7 +191,7 @@ void Layout::HideCovered()
       rect.X >= 0 && rect.Y >= 0 && rect.Right() <= window.Width && rect.Top() <= window.Height;
     for (std::size_t j = 0; j < i && isFree; ++j)
     {
-      isFree = !rect.Intersects(this->Rects[j]);
+      isFree = j == Index(PanelId::Tip) || !rect.Intersects(this->Rects[j]);
     }
     rect = isFree && !rect.IsEmpty() ? rect : Rect();
   }

@@ -17,9 +17,12 @@ namespace helios::viewer
 enum class PanelId : int
 {
   MenuBar,  ///< the top row
+  ToolBar,  ///< the row below it
   TimeBar,  ///< the bottom row
+  Dialog,   ///< in the middle, alone
   Help,     ///< everything between, alone
   Menu,     ///< below the menu bar; hides what it would cover
+  Tip,      ///< below a button, over others while the mouse is on it
   Editor,   ///< left, below the status
   Chart,    ///< left or right of the editor, above the message
   Legend,   ///< right, below the legs
@@ -30,14 +33,14 @@ enum class PanelId : int
   Legs,     ///< right, top
   Cursor    ///< left of the axes
 };
-constexpr std::size_t NumberOfPanels = 13;
+constexpr std::size_t NumberOfPanels = 16;
 
 /// Returns the name of a panel in the state file.
 std::string GetPanelName(PanelId id);
 
 /**
  * Set the window and the wanted sizes, then Place(). A panel for which there is no room is smaller
- * (texts, chart) or has an empty rectangle: it is not drawn.
+ * (texts, chart) or has an empty rectangle: it is not drawn. Only tips cover others.
  */
 class Layout
 {
@@ -51,6 +54,9 @@ public:
 
   /// Sets the left end of the open menu.
   void SetMenuPosition(int x) { this->MenuX = x; }
+
+  /// Sets the left end of the tip.
+  void SetTipPosition(int x) { this->TipX = x; }
 
   void Place();
 
@@ -72,6 +78,8 @@ private:
   void PlaceLeft(const Rect& area);
   void PlaceChart(const Rect& area, int bottom);
   void PlaceMenu();
+  void PlaceDialog();
+  Rect MakeDrop(PanelId id, int x, int top) const;
   void Set(PanelId id, const Rect& rect) { this->Rects[Index(id)] = rect; }
   void HideCovered();
 
@@ -82,6 +90,7 @@ private:
   int Height = 0;
   int Gap = 8;
   int MenuX = 0;
+  int TipX = 0;
   int RightColumn = 0; ///< width
 };
 

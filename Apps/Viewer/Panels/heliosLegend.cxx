@@ -30,11 +30,16 @@ PanelSize LegendPanel::GetSize(int textSize) const
   {
     labels = std::max(labels, MeasureText(mark.Text, textSize));
   }
+  for (const auto& other : this->Content.Others)
+  {
+    labels = std::max(labels, MeasureText(other.second, textSize));
+  }
   const int margin = GetTextMargin(textSize);
   const int width =
     std::max(MeasureText(this->Content.Title, textSize), 2 * textSize + margin + labels);
   const auto lines =
-    this->Content.IsCategory ? static_cast<int>(this->Content.Marks.size()) : ScaleLines;
+    (this->Content.IsCategory ? static_cast<int>(this->Content.Marks.size()) : ScaleLines) +
+    static_cast<int>(this->Content.Others.size());
   return { width + 2 * margin + 1, (lines + 1) * GetLineHeight(textSize) + 3 * margin };
 }
 
@@ -47,8 +52,25 @@ void LegendPanel::Paint(Painter& painter, const Rect& rect) const
   painter.DrawText(inside.X, inside.Top() - painter.GetLineHeight() / 2, this->Content.Title,
     painter.GetTheme().Ink);
   inside.Height -= painter.GetLineHeight() + margin;
+  this->PaintOthers(painter, inside);
   this->Content.IsCategory ? this->PaintCategories(painter, inside)
                            : this->PaintScale(painter, inside);
+}
+
+//------------------------------------------------------------------------------
+/// Draws a line for each, from below, and leaves the rest of the rectangle.
+void LegendPanel::PaintOthers(Painter& painter, Rect& inside) const
+{
+  const int step = painter.GetLineHeight();
+  const int side = painter.GetTextSize();
+  for (const auto& other : this->Content.Others)
+  {
+    painter.Fill({ inside.X, inside.Y + (step - side) / 2, side, side }, other.first);
+    painter.DrawText(
+      inside.X + 3 * side / 2, inside.Y + step / 2, other.second, painter.GetTheme().Ink);
+    inside.Y += step;
+    inside.Height -= step;
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -9,6 +9,7 @@
 #include "heliosPanel.h"
 
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace helios::viewer
@@ -27,6 +28,7 @@ struct Legend
   bool IsCategory = false;
   std::vector<Rgb> Colors; ///< from low to high, or of the categories; empty: no legend
   std::vector<Mark> Marks;
+  std::vector<std::pair<Rgb, std::string>> Others; ///< colours beside the scale
 };
 
 class LegendPanel : public Panel
@@ -41,6 +43,7 @@ public:
 private:
   void PaintScale(Painter& painter, const Rect& inside) const;
   void PaintCategories(Painter& painter, const Rect& inside) const;
+  void PaintOthers(Painter& painter, Rect& inside) const;
 
   Legend Content;
 };

@@ -62,7 +62,7 @@ void MenuBar::Paint(Painter& painter, const Rect& rect) const
 //------------------------------------------------------------------------------
 const MenuItem* MenuList::FindItem(int fromTop, int textSize) const
 {
-  const int row = (fromTop - GetTextMargin(textSize)) / GetLineHeight(textSize);
+  const int row = this->First + (fromTop - GetTextMargin(textSize)) / GetLineHeight(textSize);
   const bool isInside = this->Content && fromTop >= GetTextMargin(textSize) &&
     row < static_cast<int>(this->Content->Items.size());
   return isInside ? &this->Content->Items[static_cast<std::size_t>(row)] : nullptr;
@@ -82,7 +82,7 @@ PanelSize MenuList::GetSize(int textSize) const
     keys = std::max(keys, MeasureText(item.Key, textSize));
   }
   const int margin = 2 * GetTextMargin(textSize);
-  return { texts + keys + 4 * textSize,
+  return { this->GetTickWidth(textSize) + texts + keys + 4 * textSize,
     static_cast<int>(this->Content->Items.size()) * GetLineHeight(textSize) + margin };
 }
 
@@ -93,13 +93,49 @@ void MenuList::Paint(Painter& painter, const Rect& rect) const
   const int size = painter.GetTextSize();
   painter.Fill(rect, theme.Panel);
   painter.DrawPanel(rect);
-  int y = rect.Top() - GetTextMargin(size) - painter.GetLineHeight() / 2;
-  for (const MenuItem& item : this->Content->Items)
+  const int step = painter.GetLineHeight();
+  const int ticks = this->GetTickWidth(size);
+  const auto count = static_cast<int>(this->Content->Items.size());
+  int y = rect.Top() - GetTextMargin(size) - step / 2;
+  for (int i = this->First; i < count && y - step / 2 >= rect.Y; ++i)
   {
-    painter.DrawText(rect.X + size, y, item.Text, item.Do ? theme.Ink : theme.FaintInk);
+    const MenuItem& item = this->Content->Items[static_cast<std::size_t>(i)];
+    if (item.IsOn && item.IsOn())
+    {
+      const int x = rect.X + size;
+      painter.DrawLine(x, y, x + size / 4, y - size / 3, theme.Heading, 2.0);
+      painter.DrawLine(
+        x + size / 4, y - size / 3, x + 2 * size / 3, y + size / 3, theme.Heading, 2.0);
+    }
+    painter.DrawText(rect.X + size + ticks, y, item.Text, item.Do ? theme.Ink : theme.FaintInk);
     painter.DrawText(rect.Right() - size, y, item.Key, theme.FaintInk, Painter::Align::Right);
-    y -= painter.GetLineHeight();
+    y -= step;
   }
+  const int whole = this->GetSize(size).Height;
+  if (whole > rect.Height)
+  {
+    const int height = rect.Height * rect.Height / whole;
+    const int top = rect.Top() - rect.Height * this->First * step / whole;
+    painter.Fill({ rect.Right() - 4, std::max(rect.Y, top - height), 3, height }, theme.Groove);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Returns the width of the column of ticks; 0: no item may have one.
+int MenuList::GetTickWidth(int textSize) const
+{
+  const auto& items = this->Content->Items;
+  const bool hasTicks = std::any_of(
+    items.begin(), items.end(), [](const MenuItem& item) { return item.IsOn != nullptr; });
+  return hasTicks ? 5 * textSize / 4 : 0;
+}
+
+//------------------------------------------------------------------------------
+void MenuList::Scroll(int items, const Rect& rect, int textSize)
+{
+  const int rows = (rect.Height - GetTextMargin(textSize)) / GetLineHeight(textSize);
+  const int count = this->Content ? static_cast<int>(this->Content->Items.size()) : 0;
+  this->First = std::clamp(this->First + items, 0, std::max(0, count - rows));
 }
 
 //------------------------------------------------------------------------------

@@ -17,8 +17,9 @@ namespace helios::viewer
 struct MenuItem
 {
   std::string Text;
-  std::string Key;          ///< key in the form that is shown
-  std::function<void()> Do; ///< null: for information only
+  std::string Key;            ///< key in the form that is shown
+  std::function<void()> Do;   ///< null: for information only
+  std::function<bool()> IsOn; ///< whether it has a tick; null: it never has
 };
 
 struct Menu
@@ -61,7 +62,14 @@ private:
 class MenuList : public Panel
 {
 public:
-  void SetMenu(const Menu* menu) { this->Content = menu; }
+  void SetMenu(const Menu* menu)
+  {
+    this->Content = menu;
+    this->First = 0;
+  }
+
+  /// Scrolls a list that is longer than its rectangle by items.
+  void Scroll(int items, const Rect& rect, int textSize);
 
   /// Returns the item at a height below the top of the list; null: none.
   const MenuItem* FindItem(int fromTop, int textSize) const;
@@ -70,7 +78,10 @@ public:
   void Paint(Painter& painter, const Rect& rect) const override;
 
 private:
+  int GetTickWidth(int textSize) const;
+
   const Menu* Content = nullptr; ///< null: closed
+  int First = 0;                 ///< the first shown
 };
 
 /// All menus in columns, in letters that are small enough for the rectangle.

@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosFlightView.h"
 
+#include "heliosTheme.h"
+#include "heliosTicks.h"
 #include "vtkHeliosArrayNames.h"
 #include "vtkHeliosFlightArrayNames.h"
 
@@ -31,7 +33,15 @@ namespace
 constexpr double Lift = 0.3;            // [m], of cells above the ground at their centres
 constexpr double Quantile = 0.995;      // quantile of the densities: the highest colour
 constexpr vtkIdType MaximumLabels = 60; // more would cover each other
+constexpr int MaximumTicks = 6;
 constexpr Rgb GapColor = { 235, 60, 55 };
+constexpr Rgb LineColor = { 255, 158, 38 };
+
+const Ramp& GetRamp()
+{
+  static const Ramp ramp = MakeRamp({ 0.15, 1.0 });
+  return ramp;
+}
 
 /// Returns the densities of all cells, sorted.
 std::vector<double> SortDensities(vtkPolyData* cells)
@@ -61,9 +71,8 @@ FlightView::FlightView(vtkRenderer* renderer, const Plan& plan, const Vec3& orig
 //------------------------------------------------------------------------------
 Rgb FlightView::GetColor(double density, double highest)
 {
-  static const Ramp ramp = MakeRamp({ 0.15, 1.0 });
   const double share = highest > 0.0 ? std::clamp(density / highest, 0.0, 1.0) : 0.0;
-  return density > 0.0 ? ramp[static_cast<std::size_t>(255.0 * share)] : GapColor;
+  return density > 0.0 ? GetRamp()[static_cast<std::size_t>(255.0 * share)] : GapColor;
 }
 
 //------------------------------------------------------------------------------
@@ -123,7 +132,7 @@ void FlightView::AddLines(vtkPolyData* waypoints)
   vtkNew<vtkActor> actor;
   actor->SetMapper(mapper);
   actor->GetProperty()->LightingOff();
-  actor->GetProperty()->SetColor(1.0, 0.62, 0.15);
+  actor->GetProperty()->SetColor(Shade(LineColor).Rgb);
   actor->GetProperty()->SetLineWidth(3.0F);
   this->AddActor(actor);
 }
@@ -137,12 +146,34 @@ std::string FlightView::Describe() const
   }
   char text[320];
   std::snprintf(text, sizeof(text),
-    "%lld flight lines give %.3g pulses/m2 on average; %.1f %% of the area has none\n"
-    "dark to bright: 0 to %.3g pulses/m2, red: no pulse, orange: flight lines",
+    "%lld flight lines give %.3g pulses/m\xC2\xB2 on average; %.1f %% of the area has none",
     static_cast<long long>(this->NumberOfLines), this->MeanDensity,
-    100.0 * static_cast<double>(this->NumberOfGaps) / static_cast<double>(this->NumberOfCells),
-    this->HighestDensity);
+    100.0 * static_cast<double>(this->NumberOfGaps) / static_cast<double>(this->NumberOfCells));
   return text;
+}
+
+//------------------------------------------------------------------------------
+Legend FlightView::MakeLegend() const
+{
+  Legend legend;
+  legend.Title = "Pulses [1/m\xC2\xB2]";
+  if (this->NumberOfCells == 0)
+  {
+    legend.Title = "Plan";
+    legend.IsCategory = true;
+    legend.Colors.push_back(LineColor);
+    legend.Marks.push_back({ 0.0, "flight line" });
+    return legend;
+  }
+  legend.Colors.assign(GetRamp().begin(), GetRamp().end());
+  const double high = std::max(this->HighestDensity, 1e-3);
+  for (const Tick& tick : MakeTicks(0.0, high, MaximumTicks, "").List)
+  {
+    legend.Marks.push_back({ tick.Value / high, tick.Text });
+  }
+  legend.Others.emplace_back(LineColor, "flight line");
+  legend.Others.emplace_back(GapColor, "no pulse");
+  return legend;
 }
 
 //------------------------------------------------------------------------------

@@ -31,6 +31,7 @@ public:
   double GetMeanDensity() const { return this->MeanDensity; }
 
   std::string Describe() const override;
+  Legend MakeLegend() const override;
   void Describe(Json::Value& state) const override;
 
 private:

@@ -6,6 +6,7 @@
 #define heliosPlanLayer_h
 
 #include "heliosColorMaps.h"
+#include "heliosLegend.h"
 #include "heliosPose.h"
 
 #include <vtkSmartPointer.h>
@@ -39,8 +40,11 @@ public:
   /// Hides numbers behind the camera; call before every frame.
   void Update();
 
-  /// Returns the coverage and the meaning of the colours, as text.
+  /// Returns the coverage, as text.
   virtual std::string Describe() const = 0;
+
+  /// Returns the meaning of the colours.
+  virtual Legend MakeLegend() const = 0;
 
   /// Adds numbers to the state file.
   virtual void Describe(Json::Value& state) const = 0;

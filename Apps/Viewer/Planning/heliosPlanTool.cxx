@@ -15,9 +15,7 @@ namespace helios::viewer
 PlanTool::PlanTool(Viewer& viewer)
   : Owner(viewer)
 {
-  const auto& inputs = viewer.GetOptions().Inputs;
-  this->IsWanted =
-    inputs.size() == 1 && IsPlan(inputs.front()) && ReadPlan(inputs.front(), this->Files).IsOk();
+  this->OnNewInputs();
 }
 
 //------------------------------------------------------------------------------
@@ -26,7 +24,8 @@ PlanTool::~PlanTool() = default;
 //------------------------------------------------------------------------------
 std::vector<KeyHelp> PlanTool::GetKeys() const
 {
-  return { { "j", "the plan and its coverage", "j" } };
+  return this->IsWanted ? std::vector<KeyHelp>{ { "j", "the plan and its coverage", "j" } }
+                        : std::vector<KeyHelp>();
 }
 
 //------------------------------------------------------------------------------
@@ -65,6 +64,16 @@ bool PlanTool::OnFrame()
 }
 
 //------------------------------------------------------------------------------
+void PlanTool::OnNewInputs()
+{
+  const auto& inputs = this->Owner.GetOptions().Inputs;
+  this->View.reset();
+  this->Files = Plan();
+  this->IsWanted =
+    inputs.size() == 1 && IsPlan(inputs.front()) && ReadPlan(inputs.front(), this->Files).IsOk();
+}
+
+//------------------------------------------------------------------------------
 void PlanTool::OnNewSurvey()
 {
   this->View.reset();
@@ -75,6 +84,12 @@ void PlanTool::OnNewSurvey()
 std::string PlanTool::GetStatus() const
 {
   return this->View && this->View->IsVisible() ? this->View->Describe() : "";
+}
+
+//------------------------------------------------------------------------------
+Legend PlanTool::GetLegend() const
+{
+  return this->View && this->View->IsVisible() ? this->View->MakeLegend() : Legend();
 }
 
 //------------------------------------------------------------------------------

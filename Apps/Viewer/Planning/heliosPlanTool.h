@@ -31,8 +31,10 @@ public:
   bool OnKey(const std::string& key, bool control) override;
   bool OnClick(int, int) override { return false; }
   bool OnFrame() override;
+  void OnNewInputs() override;
   void OnNewSurvey() override;
   std::string GetStatus() const override;
+  Legend GetLegend() const override;
   void Describe(Json::Value& state) const override;
 
 private:

@@ -2,8 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosPlanView.h"
 
+#include "heliosPlatformKind.h"
 #include "heliosPlatformModel.h"
-#include "heliosSurveyData.h"
+#include "heliosTheme.h"
 #include "vtkHeliosArrayNames.h"
 
 #include <vtkActor.h>
@@ -31,6 +32,9 @@ namespace
 
 constexpr double Lift = 0.05;         // [m], of test points above their surface
 constexpr double TripodShare = 0.045; // minimum height of a tripod, of the plan's diagonal
+
+constexpr Rgb PositionColor = { 255, 158, 38 };
+constexpr Rgb CandidateColor = { 217, 222, 230 };
 
 double FindDiagonal(const Plan& plan)
 {
@@ -92,14 +96,15 @@ void PlanView::AddCandidates(vtkPolyData* candidates)
   {
     places->InsertNextPoint(this->ToRenderer(candidates->GetPoint(i)).GetData());
   }
-  this->AddPoints(places, { Rgb{ 217, 222, 230 } }, 2.0F);
+  this->HasCandidates = candidates->GetNumberOfPoints() > 0;
+  this->AddPoints(places, { CandidateColor }, 2.0F);
 }
 
 //------------------------------------------------------------------------------
 /// Adds the instruments at their planned positions; small tripods are enlarged downwards.
 void PlanView::AddPositions(vtkPolyData* positions, double size)
 {
-  const auto model = MakePlatformModel(PlatformType::Static);
+  const auto model = MakePlatformModel(PlatformKind::Tripod);
   double bounds[6];
   model->GetBounds(bounds);
   const double scale = std::max(1.0, TripodShare * size / bounds[5]);
@@ -114,7 +119,7 @@ void PlanView::AddPositions(vtkPolyData* positions, double size)
     tripod->SetMapper(mapper);
     tripod->SetScale(scale);
     tripod->SetPosition(place[0], place[1], place[2] - bounds[5]);
-    tripod->GetProperty()->SetColor(1.0, 0.62, 0.15);
+    tripod->GetProperty()->SetColor(Shade(PositionColor).Rgb);
     this->AddActor(tripod);
     const Vec3 head = place + Vec3(0.0, 0.0, (1.1 * scale - 1.0) * bounds[5]);
     this->AddLabel(std::to_string(i), head);
@@ -132,12 +137,39 @@ std::string PlanView::Describe() const
   { return of > 0 ? 100.0 * static_cast<double>(this->NumberCovered) / double(of) : 0.0; };
   char text[320];
   std::snprintf(text, sizeof(text),
-    "%lld scan positions see %lld of %lld test points: %.1f %%, or %.1f %% of the visible ones\n"
-    "yellow: 1 scan, green: 2, blue: 3 or more, red: not covered, grey: not visible",
+    "%lld scan positions see %lld of %lld test points: %.1f %%, or %.1f %% of the visible ones",
     static_cast<long long>(this->NumberOfPositions), static_cast<long long>(this->NumberCovered),
     static_cast<long long>(this->NumberOfTestPoints), percent(this->NumberOfTestPoints),
     percent(this->NumberCoverable));
   return text;
+}
+
+//------------------------------------------------------------------------------
+Legend PlanView::MakeLegend() const
+{
+  Legend legend;
+  legend.Title = "Scans of a test point";
+  legend.IsCategory = true;
+  const auto add = [&legend](const Rgb& color, const char* text)
+  {
+    legend.Marks.push_back({ static_cast<double>(legend.Colors.size()), text });
+    legend.Colors.push_back(color);
+  };
+  if (this->NumberOfTestPoints > 0)
+  {
+    add(GetColor(true, 3), "3 and more");
+    add(GetColor(true, 2), "2");
+    add(GetColor(true, 1), "1");
+    add(GetColor(true, 0), "0: not covered");
+    add(GetColor(false, 0), "not visible from anywhere");
+  }
+  else
+  {
+    legend.Title = "Plan";
+  }
+  add(PositionColor, "scan position");
+  this->HasCandidates ? add(CandidateColor, "candidate") : void();
+  return legend;
 }
 
 //------------------------------------------------------------------------------

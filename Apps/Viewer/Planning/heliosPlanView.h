@@ -31,6 +31,7 @@ public:
   vtkIdType GetNumberCovered() const { return this->NumberCovered; }
 
   std::string Describe() const override;
+  Legend MakeLegend() const override;
   void Describe(Json::Value& state) const override;
 
 private:
@@ -42,6 +43,7 @@ private:
   vtkIdType NumberOfTestPoints = 0;
   vtkIdType NumberCoverable = 0;
   vtkIdType NumberCovered = 0;
+  bool HasCandidates = false;
 };
 
 } // namespace helios::viewer

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosPlatformModel.h"
 
+#include "heliosPlatformKind.h"
 #include "heliosPose.h"
-#include "heliosSurveyData.h"
 
 #include <vtkAppendPolyData.h>
 #include <vtkCubeSource.h>
@@ -47,6 +47,16 @@ public:
     tube->SetNumberOfSides(16);
     tube->CappingOn();
     this->Add(tube->GetOutputPort());
+  }
+
+  void AddBall(const Vec3& center, double radius)
+  {
+    vtkNew<vtkSphereSource> ball;
+    ball->SetCenter(center[0], center[1], center[2]);
+    ball->SetRadius(radius);
+    ball->SetThetaResolution(16);
+    ball->SetPhiResolution(12);
+    this->Add(ball->GetOutputPort());
   }
 
   void AddDisk(const Vec3& center, double radius)
@@ -100,8 +110,10 @@ vtkSmartPointer<vtkPolyData> MakeAircraft()
 vtkSmartPointer<vtkPolyData> MakeCar()
 {
   Model model;
-  model.AddBox(Vec3(0.0, 0.0, 0.75), Vec3(1.8, 4.4, 0.7));
-  model.AddBox(Vec3(0.0, -0.3, 1.4), Vec3(1.6, 2.4, 0.7));
+  model.AddBox(Vec3(0.0, 0.0, 0.7), Vec3(1.8, 4.4, 0.6));
+  model.AddBox(Vec3(0.0, -0.5, 1.3), Vec3(1.6, 2.6, 0.6));
+  model.AddBox(Vec3(0.0, -1.0, 1.65), Vec3(0.9, 0.6, 0.1)); // rack of the scanner
+  model.AddRod(Vec3(0.0, -1.0, 1.65), Vec3(0.0, -1.0, 2.15), 0.05);
   for (const double x : { -0.8, 0.8 })
   {
     for (const double y : { -1.4, 1.4 })
@@ -109,6 +121,36 @@ vtkSmartPointer<vtkPolyData> MakeCar()
       model.AddRod(Vec3(x - 0.1, y, 0.35), Vec3(x + 0.1, y, 0.35), 0.35);
     }
   }
+  return model.Get();
+}
+
+vtkSmartPointer<vtkPolyData> MakeTractor()
+{
+  Model model;
+  model.AddBox(Vec3(0.0, 1.1, 1.1), Vec3(0.8, 2.2, 0.7));
+  model.AddBox(Vec3(0.0, -0.6, 1.9), Vec3(1.4, 1.4, 1.6));
+  model.AddBox(Vec3(0.0, -0.6, 0.9), Vec3(1.0, 1.6, 0.7));
+  for (const double x : { -0.95, 0.95 })
+  {
+    model.AddRod(Vec3(x - 0.25, -0.8, 0.85), Vec3(x + 0.25, -0.8, 0.85), 0.85);
+    model.AddRod(Vec3(x - 0.18, 1.6, 0.5), Vec3(x + 0.18, 1.6, 0.5), 0.5);
+  }
+  return model.Get();
+}
+
+/// A person with a backpack, from which a rod bears the scanner.
+vtkSmartPointer<vtkPolyData> MakePerson()
+{
+  Model model;
+  for (const double x : { -1.0, 1.0 })
+  {
+    model.AddRod(Vec3(0.14 * x, 0.1 * x, 0.0), Vec3(0.1 * x, 0.0, 0.85), 0.08);
+    model.AddRod(Vec3(0.24 * x, 0.0, 1.4), Vec3(0.3 * x, -0.12 * x, 0.85), 0.05);
+  }
+  model.AddRod(Vec3(0.0, 0.0, 0.8), Vec3(0.0, 0.0, 1.45), 0.19);
+  model.AddBall(Vec3(0.0, 0.02, 1.66), 0.13);
+  model.AddBox(Vec3(0.0, -0.3, 1.2), Vec3(0.36, 0.22, 0.5));
+  model.AddRod(Vec3(0.0, -0.3, 1.4), Vec3(0.0, -0.3, 2.0), 0.025);
   return model.Get();
 }
 
@@ -128,19 +170,28 @@ vtkSmartPointer<vtkPolyData> MakeMulticopter()
 } // namespace
 
 //------------------------------------------------------------------------------
-vtkSmartPointer<vtkPolyData> MakePlatformModel(PlatformType type)
+vtkSmartPointer<vtkPolyData> MakePlatformModel(PlatformKind kind)
 {
-  switch (type)
+  switch (kind)
   {
-    case PlatformType::Static:
+    case PlatformKind::Tripod:
       return MakeTripod();
-    case PlatformType::GroundVehicle:
+    case PlatformKind::Person:
+      return MakePerson();
+    case PlatformKind::Car:
       return MakeCar();
-    case PlatformType::Multicopter:
+    case PlatformKind::Tractor:
+      return MakeTractor();
+    case PlatformKind::Multicopter:
       return MakeMulticopter();
-    default:
+    case PlatformKind::Aircraft:
       return MakeAircraft();
+    case PlatformKind::Unknown:
+      break;
   }
+  Model ball;
+  ball.AddBall(Vec3(0.0, 0.0, 0.0), 0.5);
+  return ball.Get();
 }
 
 //------------------------------------------------------------------------------

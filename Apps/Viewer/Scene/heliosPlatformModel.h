@@ -9,16 +9,14 @@
 
 class vtkPolyData;
 
-namespace helios
-{
-enum class PlatformType;
-}
-
 namespace helios::viewer
 {
 
-/// Returns a tripod (its feet at z = 0), an aircraft, a car, or a multicopter.
-vtkSmartPointer<vtkPolyData> MakePlatformModel(PlatformType type);
+enum class PlatformKind;
+
+/// Returns what carries a scanner; on the ground with its feet or wheels at z = 0. An unknown kind
+/// is a ball.
+vtkSmartPointer<vtkPolyData> MakePlatformModel(PlatformKind kind);
 
 /// Returns a scanner: a head on a base, facing y.
 vtkSmartPointer<vtkPolyData> MakeScannerModel();

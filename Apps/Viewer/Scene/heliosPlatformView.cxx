@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosPlatformView.h"
 
+#include "heliosLights.h"
 #include "heliosPlatformModel.h"
-#include "heliosSurveyData.h"
 
 #include <vtkActor.h>
 #include <vtkCamera.h>
@@ -75,7 +75,9 @@ PlatformView::PlatformView(
   , Origin(origin)
   , Models(std::move(models))
 {
-  this->Body->GetProperty()->SetColor(0.85, 0.87, 0.9);
+  SetUpSurface(this->Body->GetProperty());
+  SetUpSurface(this->Scanner->GetProperty());
+  this->Body->GetProperty()->SetColor(0.36, 0.55, 0.78);
   this->Scanner->GetProperty()->SetColor(0.95, 0.55, 0.1);
   this->Body->PickableOff();
   this->Scanner->PickableOff();
@@ -194,7 +196,7 @@ Status PlatformView::ReadModels(const std::vector<SimulatedLeg>& legs)
 //------------------------------------------------------------------------------
 void PlatformView::ShowModels(const SimulatedLeg& leg)
 {
-  const std::string wanted = std::to_string(static_cast<int>(leg.Type)) + leg.Model.Where +
+  const std::string wanted = std::to_string(static_cast<int>(leg.Kind)) + leg.Model.Where +
     leg.Model.File + " " + leg.ScannerModel.Where + leg.ScannerModel.File;
   if (this->HasModel && wanted == this->Shown)
   {
@@ -202,11 +204,9 @@ void PlatformView::ShowModels(const SimulatedLeg& leg)
   }
   vtkPolyData* body = this->Models->Find(leg.Model);
   vtkPolyData* scanner = this->Models->Find(leg.ScannerModel);
-  body ? Show(this->Body, body) : Show(this->Body, MakePlatformModel(leg.Type));
+  body ? Show(this->Body, body) : Show(this->Body, MakePlatformModel(leg.Kind));
   scanner ? Show(this->Scanner, scanner) : Show(this->Scanner, MakeScannerModel());
-  const bool isAircraft =
-    leg.Type == PlatformType::LinearPath || leg.Type == PlatformType::Interpolated;
-  this->Size = body ? GetLongestSide(body) : isAircraft ? 7.0 : 1.5;
+  this->Size = body ? GetLongestSide(body) : leg.Kind == PlatformKind::Aircraft ? 7.0 : 1.5;
   this->Shown = wanted;
   this->HasModel = true;
   this->SetModelVisible(true);
@@ -218,7 +218,8 @@ void PlatformView::Place(const SimulatedLeg& leg, const Pose& platform, double t
   this->ShowModels(leg);
   const Pose local{ platform.Position - this->Origin, platform.Orientation };
   const double scale = this->FindScale(local.Position, this->Size);
-  this->Body->SetUserMatrix(MakeMatrix(local, scale));
+  const Vec3 wheels = local.Position - scale * Rotate(local.Orientation, Vec3(0, 0, leg.Height));
+  this->Body->SetUserMatrix(MakeMatrix({ wheels, local.Orientation }, scale));
   const Pose head = leg.GetHead(time);
   const Pose scanner = local * Pose{ scale * head.Position, head.Orientation };
   this->Scanner->SetUserMatrix(MakeMatrix(scanner, scale));

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "heliosSceneView.h"
 
+#include "heliosLights.h"
 #include "heliosMaterialColors.h"
 #include "heliosSceneBounds.h"
 #include "heliosSceneCells.h"
@@ -85,6 +86,7 @@ SceneView::SceneView(vtkRenderer* renderer)
   , Instances(renderer, this->Look)
 {
   this->Look->SetInterpolationToFlat();
+  SetUpSurface(this->Look);
   this->BoxMapper->SetScalarModeToUseCellData();
   this->Boxes->SetMapper(this->BoxMapper);
   this->Boxes->GetProperty()->LightingOff(); // colours are already shaded
@@ -243,12 +245,10 @@ Rgb SceneView::GetColor(const std::vector<Rgb>& materialColors, int part, int ma
   {
     return { HighlightColor[0], HighlightColor[1], HighlightColor[2] };
   }
-  if (this->ColorBy == Coloring::ByPart && part >= 0)
-  {
-    return GetDistinctColor(part);
-  }
   const auto row = static_cast<std::size_t>(std::max(0, material));
-  return row < materialColors.size() ? materialColors[row] : Rgb{ 128, 128, 128 };
+  return this->Cover.Over(this->ColorBy == Coloring::ByPart && part >= 0 ? GetDistinctColor(part)
+      : row < materialColors.size()                                      ? materialColors[row]
+                                                                         : Rgb{ 128, 128, 128 });
 }
 
 //------------------------------------------------------------------------------
@@ -263,6 +263,13 @@ void SceneView::SetOrigin(const Vec3& origin)
 void SceneView::SetColoring(Coloring coloring)
 {
   this->ColorBy = coloring;
+  this->ColorMesh();
+}
+
+//------------------------------------------------------------------------------
+void SceneView::SetVeil(const Veil& veil)
+{
+  this->Cover = veil;
   this->ColorMesh();
 }
 

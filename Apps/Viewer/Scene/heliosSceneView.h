@@ -110,6 +110,9 @@ public:
   /// Sets the colouring. Default: ByMaterial.
   void SetColoring(Coloring coloring);
 
+  /// Covers the colours of the mesh, so that echoes on it stand out. Default: no veil.
+  void SetVeil(const Veil& veil);
+
   /// Sets whether triangles are smooth over edges below 40 degrees. Default: off (flat triangles).
   void SetSmooth(bool on);
 
@@ -156,6 +159,7 @@ private:
   MaterialTable Materials;
   Vec3 Origin{ 0.0, 0.0, 0.0 };
   Coloring ColorBy = Coloring::ByMaterial;
+  Veil Cover;
   bool Smooth = false;
   int HighlightedPart = -1;
   vtkNew<vtkProperty> Look;

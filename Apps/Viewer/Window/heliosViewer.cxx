@@ -7,6 +7,7 @@
 #include "heliosColorNames.h"
 #include "heliosHud.h"
 #include "heliosInteractorStyles.h"
+#include "heliosLights.h"
 #include "heliosPlatformView.h"
 #include "heliosSceneMover.h"
 #include "heliosSceneView.h"
@@ -98,6 +99,7 @@ void Viewer::SetUpWindow()
   this->Window->AddRenderer(this->Renderer);
   this->Window->SetOffScreenRendering(this->Options.Offscreen);
   this->Renderer->GradientBackgroundOn();
+  AddLights(this->Renderer);
   if (!this->Options.Offscreen)
   {
     this->Interactor = vtkSmartPointer<vtkRenderWindowInteractor>::New();
@@ -191,6 +193,7 @@ void Viewer::SetTheme(const std::string& name)
   this->Renderer->SetBackground(Shade(theme.Background[0]).Rgb);
   this->Renderer->SetBackground2(Shade(theme.Background[1]).Rgb);
   this->Words->SetTheme(theme);
+  this->CoverMesh();
   this->PointsView->SetRampPart(theme.Ramp);
   this->Redraw();
 }
@@ -339,6 +342,7 @@ void Viewer::Draw()
 {
   const double start = this->Now();
   this->AddReceivedPoints();
+  this->UpdateStatus(); // with the legend of these points
   this->PlacePanels();
   this->Mesh ? this->Mesh->SetInteracting(this->PointsView->IsInteracting()) : void();
   this->Renderer->ResetCameraClippingRange();

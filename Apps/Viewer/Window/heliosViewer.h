@@ -8,6 +8,7 @@
 #include "heliosCameraRig.h"
 #include "heliosCloud.h"
 #include "heliosFrameBudget.h"
+#include "heliosLegend.h"
 #include "heliosPlayClock.h"
 #include "heliosPose.h"
 #include "heliosRecorder.h"
@@ -96,6 +97,22 @@ public:
   /// Shows all data.
   void ResetCamera();
 
+  ///@{
+  /// Opens the dialog of files: for other inputs, for the edited survey, for a PNG.
+  void AskForInput();
+  void AskForSurveyName();
+  void AskForStillName();
+  ///@}
+
+  /// Shows other inputs.
+  Status OpenInput(const std::string& path);
+
+  /// Makes the menus anew, after those of a tool have changed.
+  void UpdateMenus();
+
+  /// Returns whether a tool waits for clicks.
+  bool IsToolOn(const std::string& name) const;
+
   /// Sets the camera mode and its interaction style.
   void SetCameraMode(CameraMode mode);
 
@@ -116,6 +133,7 @@ private:
   void SetUpKeys();
   void Begin(const double bounds[6], vtkPolyData* scene, bool keepCamera);
   void ShowMesh(vtkPolyData* scene);
+  void CoverMesh();
   void ShowTrajectories();
   void ShowBox(const double bounds[6], bool hasData, vtkPolyData* scene);
   void SetSpan(double start, double end);
@@ -127,6 +145,7 @@ private:
   void FinishLoading();
   void PlacePlatform(double seconds);
   void UpdateStatus();
+  Legend FindLegend() const;
   void CountRates();
   bool IsFinished() const;
   void PlacePanels();
@@ -149,6 +168,7 @@ private:
   void HandleClick();
   void OnTimer();
   void OnResize();
+  bool OnWheel(int rows);
 
   ViewerOptions Options;
   vtkNew<vtkRenderer> Renderer;
@@ -202,6 +222,7 @@ private:
   vtkIdType RatePoints = 0;
   double PulsesPerSecond = 0.0;
   double PointsPerSecond = 0.0;
+  std::string ShownText; // in the last frame
   std::string Message;
   double MessageUntil = 0.0;
 };

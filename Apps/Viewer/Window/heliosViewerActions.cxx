@@ -11,6 +11,7 @@
 #include "heliosSimulation.h"
 #include "heliosTheme.h"
 #include "heliosViewerKeys.h"
+#include "heliosViewerTool.h"
 
 #include <algorithm>
 #include <memory>
@@ -94,8 +95,10 @@ void AddTime(Viewer& viewer, ViewerKeys& keys)
 void AddCameras(Viewer& viewer, ViewerKeys& keys)
 {
   const auto add = [&keys, &viewer](
-                     const char* heading, const char* key, const char* what, CameraMode mode) {
-    keys.Add({ heading, { key }, key, what, [&viewer, mode] { viewer.SetCameraMode(mode); } });
+                     const char* heading, const char* key, const char* what, CameraMode mode)
+  {
+    keys.Add({ heading, { key }, key, what, [&viewer, mode] { viewer.SetCameraMode(mode); },
+      [&viewer, mode] { return viewer.GetCamera().GetMode() == mode; } });
   };
   add("Camera", "c", "free: drag turns, wheel zooms, middle button moves", CameraMode::Free);
   add("", "y", "fly: left button forward, right button back", CameraMode::Fly);
@@ -107,31 +110,45 @@ void AddCameras(Viewer& viewer, ViewerKeys& keys)
   keys.Add({ "", { "r" }, "r", "show all", [&viewer] { viewer.ResetCamera(); } });
 }
 
+void AddColors(Viewer& viewer, ViewerKeys& keys)
+{
+  keys.Add({ "Colours", { "k" }, "k", "next colours", [&viewer] { ChangeColors(viewer, 1); } });
+  keys.Add({ "", { "K" }, "K", "previous colours", [&viewer] { ChangeColors(viewer, -1); } });
+  for (const auto& coloring : GetColorings())
+  {
+    keys.Add({ "", {}, "", GetColorTitle(coloring.second),
+      [&viewer, by = coloring.second] { viewer.GetCloudView().SetColorBy(by); },
+      [&viewer, by = coloring.second] { return viewer.GetCloudView().GetColorBy() == by; } });
+  }
+}
+
 void AddLook(Viewer& viewer, ViewerKeys& keys)
 {
-  keys.Add({ "Display", { "k" }, "k", "next colours", [&viewer] { ChangeColors(viewer, 1); } });
-  keys.Add({ "", { "K" }, "K", "previous colours", [&viewer] { ChangeColors(viewer, -1); } });
-  keys.Add(
-    { "", { "bracketright" }, "]", "larger points", [&viewer] { ChangePointSize(viewer, 1.0); } });
+  keys.Add({ "Display", { "bracketright" }, "]", "larger points",
+    [&viewer] { ChangePointSize(viewer, 1.0); } });
   keys.Add(
     { "", { "bracketleft" }, "[", "smaller points", [&viewer] { ChangePointSize(viewer, -1.0); } });
-  keys.Add({ "", { "e" }, "e", "eye-dome lighting (EDL)", [&viewer] {
-              viewer.GetCloudView().SetEyeDomeLighting(!viewer.GetCloudView().GetEyeDomeLighting());
-            } });
+  keys.Add({ "", { "e" }, "e", "eye-dome lighting (EDL)",
+    [&viewer]
+    { viewer.GetCloudView().SetEyeDomeLighting(!viewer.GetCloudView().GetEyeDomeLighting()); },
+    [&viewer] { return viewer.GetCloudView().GetEyeDomeLighting(); } });
   keys.Add(
-    { "", { "b" }, "b", "clipping box: the middle half", [&viewer] { ToggleClipping(viewer); } });
+    { "", { "b" }, "b", "clipping box: the middle half", [&viewer] { ToggleClipping(viewer); },
+      [&viewer] { return viewer.GetCloudView().GetClipping(); } });
   keys.Add({ "", { "m" }, "m", "the scene's mesh",
     [&viewer]
     {
       SceneView* scene = viewer.GetSceneView();
       scene ? scene->SetVisible(!scene->IsVisible()) : void();
-    } });
+    },
+    [&viewer] { return viewer.GetSceneView() && viewer.GetSceneView()->IsVisible(); } });
   keys.Add({ "", { "l" }, "l", "the beams",
     [&viewer]
     {
       PlatformView* platform = viewer.GetPlatformView();
       platform ? platform->SetFanVisible(!platform->IsFanVisible()) : void();
-    } });
+    },
+    [&viewer] { return viewer.GetPlatformView() && viewer.GetPlatformView()->IsFanVisible(); } });
   keys.Add({ "", { "w" }, "w", "menus, text and time bar",
     [&viewer]
     {
@@ -149,8 +166,13 @@ void AddLook(Viewer& viewer, ViewerKeys& keys)
 
 void AddFiles(Viewer& viewer, ViewerKeys& keys)
 {
-  keys.Add({ "File", { "p" }, "p", "save a picture, vtkhelios.png",
+  keys.Add(
+    { "File", { "Control-o", "O" }, "Ctrl-O", "open ...", [&viewer] { viewer.AskForInput(); } });
+  keys.Add({ "", { "Control-s" }, "Ctrl-S", "save the survey as ...",
+    [&viewer] { viewer.AskForSurveyName(); } });
+  keys.Add({ "", { "p" }, "p", "save a picture, vtkhelios.png",
     [&viewer] { viewer.SaveStill("vtkhelios.png"); } });
+  keys.Add({ "", { "P" }, "P", "save a picture as ...", [&viewer] { viewer.AskForStillName(); } });
   keys.Add({ "", { "R" }, "R", "start, stop recording vtkhelios.ogv",
     [&viewer] { viewer.ToggleRecording(); } });
   keys.Add({ "", { "h", "question", "F1" }, "h", "this help",
@@ -162,17 +184,59 @@ void AddFiles(Viewer& viewer, ViewerKeys& keys)
   keys.Add({ "", { "q" }, "q", "quit", [&viewer] { viewer.Close(); } });
 }
 
+/// Returns the buttons of the main actions, which do what keys do.
+std::vector<ToolButton> MakeButtons(Viewer& viewer, ViewerKeys& keys)
+{
+  const auto press = [&keys](const char* key) { return [&keys, key] { keys.Press(key, false); }; };
+  const auto isMode = [&viewer](CameraMode mode)
+  { return [&viewer, mode] { return viewer.GetCamera().GetMode() == mode; }; };
+  const auto isIn = [&viewer](const char* tool)
+  { return [&viewer, tool] { return viewer.IsToolOn(tool); }; };
+  return { { "Open", "open a survey, scene, run, plan or cloud (Ctrl-O)",
+             [&viewer] { viewer.AskForInput(); }, nullptr },
+    { "Save as", "save the survey (Ctrl-S)", [&viewer] { viewer.AskForSurveyName(); }, nullptr },
+    { "Show all", "show all data (r)", press("r"), nullptr },
+    { "Top", "from above, north up (t); drag to leave it", press("t"), isMode(CameraMode::Top) },
+    { "Follow", "follow the platform (f)", press("f"), isMode(CameraMode::Follow) },
+    { "Free", "free camera: drag turns, wheel zooms (c)", press("c"), isMode(CameraMode::Free) },
+    { "Colours", "list of colours (next: k)", [&viewer] { viewer.GetHud().OpenMenu("Colours"); },
+      nullptr },
+    { "Mesh", "show or hide the scene's mesh (m)", press("m"),
+      [&viewer] { return viewer.GetSceneView() && viewer.GetSceneView()->IsVisible(); } },
+    { "EDL", "eye-dome lighting: shading by depth (e)", press("e"),
+      [&viewer] { return viewer.GetCloudView().GetEyeDomeLighting(); } },
+    { "Measure", "measure distances between two clicks (D)", press("D"), isIn("Measure") },
+    { "Section", "show a vertical section between two clicks (S)", press("S"), isIn("Section") },
+    { "Scan", "direct control: place and run a scanner (d)", press("d"), isIn("Direct control") },
+    { "Help", "all keys (h)", press("h"), [&viewer] { return viewer.GetHud().IsHelpVisible(); } } };
+}
+
 } // namespace
 
 //------------------------------------------------------------------------------
 void Viewer::SetUpKeys()
 {
   this->Keys = std::make_unique<ViewerKeys>(this->Tools);
+  AddFiles(*this, *this->Keys);
   AddTime(*this, *this->Keys);
   AddCameras(*this, *this->Keys);
+  AddColors(*this, *this->Keys);
   AddLook(*this, *this->Keys);
-  AddFiles(*this, *this->Keys);
+  this->Words->GetToolBar().SetButtons(MakeButtons(*this, *this->Keys));
+  this->UpdateMenus();
+}
+
+//------------------------------------------------------------------------------
+void Viewer::UpdateMenus()
+{
   this->Words->SetMenus(this->Keys->GetMenus());
+}
+
+//------------------------------------------------------------------------------
+bool Viewer::IsToolOn(const std::string& name) const
+{
+  return std::any_of(this->Tools.begin(), this->Tools.end(),
+    [&name](const auto& tool) { return tool->GetName() == name && tool->IsActive(); });
 }
 
 } // namespace helios::viewer

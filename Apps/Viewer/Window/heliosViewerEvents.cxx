@@ -24,6 +24,7 @@ namespace
 {
 
 constexpr int ClickPixels = 4; // maximum motion of a click
+constexpr int WheelRows = 3;   // of a list
 
 /// Returns the key of the last event as X names it; empty: none.
 std::string GetPressedKey(vtkRenderWindowInteractor& interactor)
@@ -89,6 +90,11 @@ void Viewer::OnEvent(vtkObject*, unsigned long event, void* self, void*)
       viewer->MovedAt = viewer->Now();
       viewer->HasMoved = true;
       break;
+    case vtkCommand::MouseWheelForwardEvent:
+    case vtkCommand::MouseWheelBackwardEvent:
+      viewer->Observer->SetAbortFlag(
+        viewer->OnWheel(event == vtkCommand::MouseWheelForwardEvent ? -WheelRows : WheelRows));
+      break;
     case vtkCommand::MiddleButtonPressEvent:
     case vtkCommand::RightButtonPressEvent:
       viewer->IsDragging = true;
@@ -108,10 +114,16 @@ void Viewer::OnEvent(vtkObject*, unsigned long event, void* self, void*)
 void Viewer::OnKey()
 {
   const std::string key = GetPressedKey(*this->Interactor);
+  const bool isControl = this->Interactor->GetControlKey() != 0;
+  if (this->Words->GetDialog().IsOpen())
+  {
+    this->Words->GetDialog().OnKey(key, isControl ? '\0' : this->Interactor->GetKeyCode());
+    return;
+  }
   const bool isClosing = key == "Escape" && this->Words->CloseMenu();
   if (!key.empty() && !isClosing)
   {
-    this->Keys->Press(key, this->Interactor->GetControlKey() != 0);
+    this->Keys->Press(key, isControl);
   }
 }
 
@@ -122,7 +134,7 @@ bool Viewer::OnPress()
   this->Interactor->GetEventPosition(this->PressedAt[0], this->PressedAt[1]);
   PanelId id = PanelId::Status;
   this->IsPressOnPanel = this->Words->GetLayout().Find(this->PressedAt[0], this->PressedAt[1], id);
-  const bool isHandled = this->Words->OnPress(this->PressedAt[0], this->PressedAt[1]);
+  const bool isHandled = this->Words->OnPress(this->PressedAt[0], this->PressedAt[1], this->Now());
   this->IsPressOnPanel = this->IsPressOnPanel || isHandled;
   return isHandled;
 }
@@ -172,6 +184,15 @@ void Viewer::HandleClick()
       return;
     }
   }
+}
+
+//------------------------------------------------------------------------------
+/// Scrolls lists; true: the wheel is not for the camera.
+bool Viewer::OnWheel(int rows)
+{
+  int at[2];
+  this->Interactor->GetEventPosition(at[0], at[1]);
+  return this->Words->OnWheel(at[0], at[1], rows);
 }
 
 //------------------------------------------------------------------------------

@@ -20,6 +20,10 @@ class ViewerTool;
 /// Shows the inputs of a viewer.
 Status ShowInputs(Viewer& viewer);
 
+/// Returns what a file or folder holds that can be shown: "survey", "scene", "points", "run",
+/// "plan"; empty: nothing.
+std::string FindInputKind(const std::string& path);
+
 /// Returns the tools of a viewer, in order of precedence.
 std::vector<std::unique_ptr<ViewerTool>> MakeTools(Viewer& viewer);
 

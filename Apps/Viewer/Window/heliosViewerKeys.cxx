@@ -12,16 +12,20 @@ namespace helios::viewer
 //------------------------------------------------------------------------------
 bool ViewerKeys::Press(const std::string& key, bool control)
 {
+  const std::string name = control ? "Control-" + key : key;
+  const auto hasKey = [&name](const Action& action)
+  { return std::find(action.Keys.begin(), action.Keys.end(), name) != action.Keys.end(); };
+  const bool isOwn = control && std::any_of(this->Actions.begin(), this->Actions.end(), hasKey);
   for (const auto& tool : this->Tools)
   {
-    if (tool->OnKey(key, control))
+    if (!isOwn && tool->OnKey(key, control))
     {
       return true;
     }
   }
   for (const Action& action : this->Actions)
   {
-    if (!control && std::find(action.Keys.begin(), action.Keys.end(), key) != action.Keys.end())
+    if (hasKey(action))
     {
       action.Do();
       return true;
@@ -40,21 +44,25 @@ std::vector<Menu> ViewerKeys::GetMenus()
     {
       menus.push_back({ action.Heading, {} });
     }
-    menus.back().Items.push_back({ action.What, action.Shown, action.Do });
+    menus.back().Items.push_back({ action.What, action.Shown, action.Do, action.IsOn });
   }
   for (const auto& tool : this->Tools)
   {
     Menu menu{ tool->GetName(), {} };
     for (const KeyHelp& key : tool->GetKeys())
     {
-      MenuItem item{ key.What, key.Shown, nullptr };
+      MenuItem item{ key.What, key.Shown, nullptr, nullptr };
       if (!key.Press.empty())
       {
         item.Do = [this, press = key.Press] { this->Press(press, false); };
       }
       menu.Items.push_back(item);
     }
-    menus.push_back(menu);
+    menu.Items.empty() ? void() : menus.push_back(menu);
+    for (const Menu& own : tool->GetMenus())
+    {
+      menus.push_back(own);
+    }
   }
   return menus;
 }

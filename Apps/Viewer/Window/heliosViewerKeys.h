@@ -27,6 +27,7 @@ public:
     std::string Shown; ///< for the help
     std::string What;
     std::function<void()> Do;
+    std::function<bool()> IsOn = nullptr; ///< whether its item has a tick
   };
 
   explicit ViewerKeys(const std::vector<std::unique_ptr<ViewerTool>>& tools)
@@ -36,7 +37,8 @@ public:
 
   void Add(const Action& action) { this->Actions.push_back(action); }
 
-  /// Runs the action of a key, as named by X; tools come first. False: no action.
+  /// Runs the action of a key, as named by X ("Control-o" with control); tools come first. False: no
+  /// action.
   bool Press(const std::string& key, bool control);
 
   /// Returns all actions, by heading and by tool.

@@ -5,6 +5,7 @@
 #include "heliosViewer.h"
 
 #include "heliosCloudView.h"
+#include "heliosGroundHeight.h"
 #include "heliosHud.h"
 #include "heliosPlatformView.h"
 #include "heliosSceneBounds.h"
@@ -35,16 +36,14 @@ namespace
 constexpr std::size_t FramedPoints = 20000; // points that the first view is fitted to
 constexpr double FarTrajectory = 2.0;       // times the data's diagonal: not framed
 
-/// Returns every nth point of a scene [m].
-std::vector<Vec3> SamplePoints(vtkPolyData* scene)
+/// Returns those that are in a box [m]: not of parts that move there later.
+std::vector<Vec3> SampleInside(vtkPolyData* scene, const double bounds[6])
 {
-  std::vector<Vec3> points;
-  const vtkIdType count = vtkHeliosScene::HasInstances(scene) ? 0 : scene->GetNumberOfPoints();
-  const vtkIdType step = 1 + count / static_cast<vtkIdType>(FramedPoints);
-  for (vtkIdType i = 0; i < count; i += step)
-  {
-    points.emplace_back(scene->GetPoint(i));
-  }
+  const vtkBoundingBox box(bounds);
+  std::vector<Vec3> points = SampleMesh(scene);
+  points.erase(std::remove_if(points.begin(), points.end(),
+                 [&box](const Vec3& p) { return !box.ContainsPoint(p[0], p[1], p[2]); }),
+    points.end());
   return points;
 }
 
@@ -146,6 +145,7 @@ void Viewer::ShowScene(
   this->ShowMesh(scene);
   this->Mesh->SetGrids(grids);
   this->PointsView->SetEyeDomeLighting(false); // meant for points: leaves would be mostly edges
+  this->SetSpan(0.0, 0.0);
   this->Redraw();
 }
 
@@ -158,6 +158,7 @@ void Viewer::ShowCloud(const std::vector<SimulatedLeg>& legs)
   this->Legs = legs;
   this->Origin = this->Points->GetOrigin();
   this->Camera.SetOrigin(this->Origin);
+  FindPlatforms(this->Legs, SamplePoints(*this->Points));
   const bool hasPoints = this->Points->GetBounds(bounds);
   this->ShowBox(bounds, hasPoints, nullptr);
   this->PointsView->Update();
@@ -168,6 +169,10 @@ void Viewer::ShowCloud(const std::vector<SimulatedLeg>& legs)
   {
     this->SetSpan(times[0], times[1]);
     this->Clock.Seek(this->Options.StartTime >= 0.0 ? this->Options.StartTime : times[1]);
+  }
+  else
+  {
+    this->SetSpan(0.0, 0.0);
   }
   this->Redraw();
 }
@@ -190,10 +195,21 @@ void Viewer::ShowMesh(vtkPolyData* scene)
 {
   this->Mesh = std::make_unique<SceneView>(this->Renderer);
   this->Mesh->SetOrigin(this->Origin);
+  this->CoverMesh();
   const Status status = this->Mesh->SetScene(scene);
   if (!status.IsOk())
   {
     this->ShowError(status.Message());
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Covers the mesh below the echoes of a survey; a scene alone has its own colours.
+void Viewer::CoverMesh()
+{
+  if (this->Mesh)
+  {
+    this->Mesh->SetVeil(this->Running ? this->Words->GetTheme().Scene : Veil());
   }
 }
 
@@ -229,10 +245,10 @@ void Viewer::ShowBox(const double bounds[6], bool hasData, vtkPolyData* scene)
   vtkBoundingBox box;
   hasData ? box.SetBounds(bounds) : void();
   vtkBoundingBox all = box;
-  std::vector<Vec3> points = scene ? SamplePoints(scene) : SamplePoints(*this->Points);
-  points.erase(std::remove_if(points.begin(), points.end(), // such as parts before they move
-                 [&box](const Vec3& p) { return !box.ContainsPoint(p[0], p[1], p[2]); }),
-    points.end());
+  const bool hasInstances = scene && vtkHeliosScene::HasInstances(scene); // not sampled
+  std::vector<Vec3> points = hasInstances ? std::vector<Vec3>()
+    : scene                               ? SampleInside(scene, bounds)
+                                          : SamplePoints(*this->Points);
   const std::size_t count = points.size();
   for (const SimulatedLeg& leg : this->Legs)
   {
@@ -287,6 +303,9 @@ void Viewer::FinishLoading()
   {
     AddGrids(this->Running->GetGrids(), bounds);
   }
+  std::vector<Vec3> ground = SampleInside(this->Running->GetScene(), bounds);
+  ground.empty() ? void(ground.emplace_back(bounds[0], bounds[2], bounds[4])) : void();
+  FindPlatforms(this->Legs, ground);
   this->Begin(bounds, this->Running->GetScene(), this->KeepsCamera);
   this->ShowMesh(this->Running->GetScene());
   this->Mesh->SetGrids(this->Running->GetGrids());

@@ -140,6 +140,7 @@ void ViewerState::DescribeTexts(Json::Value& state) const
   state["cursor"] = this->Words.GetCursor();
   state["textSize"] = this->Words.GetTextSize();
   state["openMenu"] = this->Words.GetMenuBar().GetOpen();
+  this->DescribeDialog(state);
   state["menus"] = Json::Value(Json::arrayValue);
   for (const Menu& menu : this->Words.GetMenus())
   {
@@ -150,8 +151,47 @@ void ViewerState::DescribeTexts(Json::Value& state) const
     for (const MenuItem& item : menu.Items)
     {
       one["items"].append(item.Text);
+      item.IsOn&& item.IsOn() ? void(one["ticks"].append(item.Text)) : void();
     }
     state["menus"].append(one);
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Describes the buttons with their centres [pixels], and the dialog of files.
+void ViewerState::DescribeDialog(Json::Value& state) const
+{
+  const ToolBar& tools = this->Words.GetToolBar();
+  const Rect& bar = this->Words.GetRect(PanelId::ToolBar);
+  for (int i = 0; !bar.IsEmpty() && i < static_cast<int>(tools.GetButtons().size()); ++i)
+  {
+    const ToolButton& button = tools.GetButtons()[static_cast<std::size_t>(i)];
+    const Rect place = tools.GetPlace(bar, i, this->Words.GetTextSize());
+    Json::Value& one = state["buttons"][button.Text];
+    one["on"] = button.IsOn && button.IsOn();
+    one["x"] = place.X + place.Width / 2;
+    one["y"] = place.Y + place.Height / 2;
+  }
+  state["tip"] = this->Words.GetTip();
+  const FileDialog& dialog = this->Words.GetDialog();
+  Json::Value& value = state["dialog"];
+  value["open"] = dialog.IsOpen();
+  value["folder"] = dialog.GetList().GetFolder();
+  value["text"] = dialog.GetText();
+  value["hint"] = dialog.GetHint();
+  const FileEntry* selected = dialog.GetList().GetEntry();
+  value["selected"] = selected ? selected->Name : "";
+  const auto& entries = dialog.GetList().GetEntries();
+  for (std::size_t i = 0; dialog.IsOpen() && i < entries.size(); ++i)
+  {
+    const Rect row = dialog.GetRow(
+      this->Words.GetRect(PanelId::Dialog), static_cast<int>(i), this->Words.GetTextSize());
+    Json::Value one;
+    one["name"] = entries[i].Name;
+    one["kind"] = entries[i].Kind;
+    one["y"] = row.Y + row.Height / 2;
+    one["x"] = row.X + row.Width / 2;
+    value["entries"].append(one);
   }
 }
 

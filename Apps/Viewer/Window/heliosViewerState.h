@@ -64,6 +64,7 @@ private:
   Json::Value DescribeCloud() const;
   Json::Value DescribePanels() const;
   void DescribeTexts(Json::Value& state) const;
+  void DescribeDialog(Json::Value& state) const;
 };
 
 } // namespace helios::viewer

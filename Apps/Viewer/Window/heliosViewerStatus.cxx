@@ -65,13 +65,31 @@ void Viewer::UpdateStatus()
     status += line.empty() ? "" : line + "\n";
   }
   this->Words->SetStatus(status);
-  this->Words->SetLegend(this->PointsView->GetLegend());
-  this->Words->SetLegs(this->DescribeLegs());
+  const std::string legs = this->DescribeLegs();
+  this->Words->SetLegs(legs);
+  this->Words->SetLegend(this->FindLegend());
+  if (status + legs + this->Message != this->ShownText)
+  {
+    this->ShownText = status + legs + this->Message;
+    this->Redraw();
+  }
   this->Words->SetMessage(this->Message);
   if (this->Bar)
   {
     this->Bar->SetTime(this->Clock.GetTime());
   }
+}
+
+//------------------------------------------------------------------------------
+/// Returns the legend of the points; without one, that of a tool.
+Legend Viewer::FindLegend() const
+{
+  Legend legend = this->PointsView->GetLegend();
+  for (const auto& tool : this->Tools)
+  {
+    legend = legend.Colors.empty() ? tool->GetLegend() : legend;
+  }
+  return legend;
 }
 
 //------------------------------------------------------------------------------
@@ -193,6 +211,9 @@ std::string Viewer::DescribeLegs() const
 /// Shows the coordinates of the surface or point below the mouse once it rests.
 void Viewer::UpdateCursor(double now)
 {
+  int mouse[2];
+  this->Interactor->GetEventPosition(mouse[0], mouse[1]);
+  this->Words->ShowTip(mouse[0], mouse[1]) ? this->Redraw() : void();
   if (!this->HasMoved || this->IsDragging || now - this->MovedAt < RestSeconds)
   {
     return;

@@ -97,7 +97,7 @@ def test_panels_never_cover_each_other(window):
 def test_the_help_is_alone(window):
     window.key("h")
     state = window.wait(lambda s: "help" in s["panels"])
-    assert set(state["panels"]) == {"help", "menuBar", "timeBar"}
+    assert set(state["panels"]) == {"help", "menuBar", "timeBar", "toolBar"}
     check_places(state)
     window.key("Escape")
     window.wait(lambda s: not s["help"] and "legend" in s["panels"])
@@ -122,7 +122,7 @@ def test_the_legend_has_round_numbers(window):
 
 
 def test_menus_do_what_keys_do(window):
-    choose(window, "Display", "next colours")
+    choose(window, "Colours", "next colours")
     window.wait(lambda s: s["cloud"]["colorBy"] == "amplitude")
     choose(window, "Camera", "from above, north up")
     window.wait(lambda s: s["camera"]["mode"] == "top")

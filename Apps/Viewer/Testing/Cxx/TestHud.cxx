@@ -33,13 +33,19 @@ struct HudWindow
     this->Panels.SetInteractive(true);
     this->Panels.SetTimeBar(true);
     this->Panels.SetOnPlay([this] { ++this->Plays; });
-    this->Panels.SetMenus({ { "Time", { { "play", "space", [this] { ++this->Plays; } } } },
+    this->Panels.SetMenus({ { "Time", { { "play", "space", [this] { ++this->Plays; }, nullptr } } },
       { "Camera",
-        { { "free", "c", nullptr }, { "from above", "t", [this] { ++this->Views; } } } } });
+        { { "free", "c", nullptr, nullptr },
+          { "from above", "t", [this] { ++this->Views; },
+            [this] { return this->Views > 0; } } } } });
+    this->Panels.GetToolBar().SetButtons(
+      { { "Open", "open a file (Ctrl-O)", [this] { ++this->Opens; }, nullptr },
+        { "Top", "from above (t)", [this] { ++this->Views; },
+          [this] { return this->Views % 2 == 1; } } });
     this->Panels.SetStatus("finished, 1.500 s\n50 k pulses");
     this->Panels.SetLegs("1 of 1 legs\n> leg 0");
-    this->Panels.SetLegend(
-      { "Height [m]", false, { { 1, 2, 3 }, { 250, 0, 250 } }, { { 0.5, "0.5" } } });
+    this->Panels.SetLegend({ "Height [m]", false, { { 1, 2, 3 }, { 250, 0, 250 } },
+      { { 0.5, "0.5" } }, { { { 0, 250, 0 }, "none" } } });
     this->Place();
   }
 
@@ -91,6 +97,7 @@ struct HudWindow
   Hud Panels{ this->Renderer };
   int Plays = 0;
   int Views = 0;
+  int Opens = 0;
 };
 
 } // namespace
@@ -114,6 +121,7 @@ TEST_CASE("Hud: panels are drawn in their places, in the colours of the theme")
   const Rect& legend = window.Panels.GetRect(PanelId::Legend);
   CHECK(window.Has(legend, { 1, 2, 3 }));
   CHECK(window.Has(legend, { 250, 0, 250 }));
+  CHECK(window.Has(legend, { 0, 250, 0 })); // beside the scale
 }
 
 TEST_CASE("Hud: a press on a title opens its menu, one on an item does it and closes the menu")
@@ -142,6 +150,100 @@ TEST_CASE("Hud: a press on a title opens its menu, one on an item does it and cl
   CHECK(window.Panels.OnPress(x, y));
   CHECK(window.Panels.OnPress(400, 300)); // equal to one beside it
   CHECK_FALSE(window.Panels.OnPress(400, 300));
+}
+
+TEST_CASE("Hud: an item that is on has a tick")
+{
+  HudWindow window;
+  const int size = window.Panels.GetTextSize();
+  const auto open = [&window, size]
+  {
+    const int x = window.Panels.GetMenuBar().GetTitlePosition(1, size) + size + 2;
+    CHECK(window.Panels.OnPress(x, window.Panels.GetRect(PanelId::MenuBar).Y + 5));
+    window.Place();
+    const Rect menu = window.Panels.GetRect(PanelId::Menu);
+    const int line = GetLineHeight(size);
+    const Rect tick{ menu.X + size, menu.Top() - size / 2 - 2 * line, size, line };
+    return window.Has(tick, FindTheme("dark").Heading);
+  };
+  CHECK_FALSE(open());
+  window.PressItem(1);
+  CHECK(open());
+}
+
+TEST_CASE("Hud: a menu that is longer than the window scrolls")
+{
+  HudWindow window;
+  int chosen = -1;
+  Menu menu{ "Many", {} };
+  for (int i = 0; i < 100; ++i)
+  {
+    menu.Items.push_back({ std::to_string(i), "", [&chosen, i] { chosen = i; }, nullptr });
+  }
+  window.Panels.SetMenus({ menu });
+  window.Panels.OpenMenu("Many");
+  window.Place();
+  const Rect& rect = window.Panels.GetRect(PanelId::Menu);
+  CHECK(rect.Height > 400);
+  CHECK(window.Panels.OnWheel(rect.X + 5, rect.Y + 5, 7));
+  CHECK_FALSE(window.Panels.OnWheel(790, 300, 7)); // for the camera
+  window.PressItem(2);
+  CHECK(chosen == 9);
+  window.Panels.OpenMenu("Many");
+  window.Place();
+  CHECK(window.Panels.OnWheel(rect.X + 5, rect.Y + 5, 1000));
+  window.PressItem(0);
+  CHECK(chosen > 50);
+  CHECK(chosen < 99);
+}
+
+TEST_CASE("Hud: buttons do what they say, and tell it to a mouse that rests on them")
+{
+  HudWindow window;
+  const Rect bar = window.Panels.GetRect(PanelId::ToolBar);
+  const int size = window.Panels.GetTextSize();
+  REQUIRE_FALSE(bar.IsEmpty());
+  CHECK(bar.Top() == window.Panels.GetRect(PanelId::MenuBar).Y);
+  const Rect open = window.Panels.GetToolBar().GetPlace(bar, 0, size);
+  const Rect top = window.Panels.GetToolBar().GetPlace(bar, 1, size);
+  CHECK_FALSE(open.Intersects(top));
+  CHECK(window.Panels.ShowTip(open.X + 3, open.Y + 3));
+  CHECK_FALSE(window.Panels.ShowTip(open.X + 4, open.Y + 3)); // the same
+  window.Place();
+  CHECK(window.Panels.GetTip() == "open a file (Ctrl-O)");
+  CHECK(window.Panels.GetRect(PanelId::Tip).Top() == bar.Y);
+  CHECK(window.Panels.ShowTip(400, 300));
+  window.Place();
+  CHECK(window.Panels.GetRect(PanelId::Tip).IsEmpty());
+  CHECK(window.Panels.OnPress(open.X + 3, open.Y + 3));
+  CHECK(window.Opens == 1);
+  const Rgb before = window.GetPixel(top.X + 2, top.Y + 2);
+  CHECK(window.Panels.OnPress(top.X + 3, top.Y + 3));
+  CHECK(window.Views == 1);
+  window.Place();
+  CHECK(window.GetPixel(top.X + 2, top.Y + 2) != before); // pressed in
+  CHECK(window.Panels.OnPress(790, bar.Y + 5));           // between buttons: nothing
+  window.Panels.Resize(open.Width + 2 * size, 600);
+  window.Place();
+  CHECK(window.Panels.GetToolBar()
+          .GetPlace(window.Panels.GetRect(PanelId::ToolBar), 1, window.Panels.GetTextSize())
+          .IsEmpty()); // no room
+}
+
+TEST_CASE("Hud: an open dialog takes the presses, and hides the panels")
+{
+  HudWindow window;
+  window.Panels.GetDialog().Open(
+    "/", [](const std::string&) { return ""; }, [](const std::string&) { return ""; });
+  window.Place();
+  CHECK_FALSE(window.Panels.GetRect(PanelId::Dialog).IsEmpty());
+  CHECK(window.Panels.GetRect(PanelId::Legend).IsEmpty());
+  CHECK(window.Panels.OnPress(10, 10)); // the play button
+  CHECK(window.Plays == 0);
+  CHECK(window.Panels.OnWheel(10, 10, 1));
+  window.Panels.GetDialog().Close();
+  window.Place();
+  CHECK_FALSE(window.Panels.GetRect(PanelId::Legend).IsEmpty());
 }
 
 TEST_CASE("Hud: the play button plays, the rest of the time bar is the slider's")
@@ -188,7 +290,8 @@ TEST_CASE("Hud: the help fits the window at every size")
     menus.push_back({ "Menu", {} });
     for (int k = 0; k < 8; ++k)
     {
-      menus.back().Items.push_back({ "a rather long text of an action of the viewer", "key", {} });
+      menus.back().Items.push_back(
+        { "a rather long text of an action of the viewer", "key", {}, {} });
     }
   }
   const HelpPage page(menus);

@@ -32,6 +32,7 @@ Layout MakeTypical(const PanelSize& window)
   Layout layout;
   layout.SetWindow(window.Width, window.Height, size);
   layout.SetSize(PanelId::MenuBar, { 1, 2 * size });
+  layout.SetSize(PanelId::ToolBar, { 1, 2 * size });
   layout.SetSize(PanelId::TimeBar, { 1, 2 * size });
   layout.SetSize(PanelId::Status, { 22 * size, 5 * size });
   layout.SetSize(PanelId::Legs, { 13 * size, 20 * size });
@@ -57,7 +58,8 @@ void CheckPlaces(const Layout& layout, const PanelSize& window)
     for (const PanelId b : GetAll())
     {
       CAPTURE(GetPanelName(b));
-      CHECK((a == b || !first.Intersects(layout.Get(b))));
+      const bool isTip = a == PanelId::Tip || b == PanelId::Tip; // over others
+      CHECK((a == b || isTip || !first.Intersects(layout.Get(b))));
     }
   }
 }
@@ -139,4 +141,38 @@ TEST_CASE("Layout: panels of any size never cover each other")
     layout.Place();
     CheckPlaces(layout, window);
   }
+}
+
+TEST_CASE("Layout: a dialog is alone, in the middle, and within small windows")
+{
+  for (const PanelSize& window : { PanelSize{ 400, 300 }, { 800, 600 }, { 1920, 1080 } })
+  {
+    Layout layout = MakeTypical(window);
+    layout.SetSize(PanelId::Dialog, { 600, 400 });
+    layout.Place();
+    CheckPlaces(layout, window);
+    const Rect& dialog = layout.Get(PanelId::Dialog);
+    CHECK(dialog.X + dialog.Width / 2 == Approx(window.Width / 2).margin(1));
+    CHECK(dialog.Width <= 600);
+    CHECK(layout.Get(PanelId::Legend).IsEmpty());
+    CHECK_FALSE(layout.Get(PanelId::ToolBar).IsEmpty());
+  }
+}
+
+TEST_CASE("Layout: an open menu hides the buttons, a tip hangs below them")
+{
+  const PanelSize window{ 1280, 800 };
+  Layout layout = MakeTypical(window);
+  layout.SetSize(PanelId::Tip, { 200, 30 });
+  layout.SetTipPosition(1200); // would leave the window
+  layout.Place();
+  CHECK_FALSE(layout.Get(PanelId::Legs).IsEmpty()); // below the tip
+  CHECK(layout.Get(PanelId::Tip).Top() == layout.Get(PanelId::ToolBar).Y);
+  CHECK(layout.Get(PanelId::Tip).Right() == 1280);
+  layout.SetSize(PanelId::Menu, { 200, 300 });
+  layout.Place();
+  CheckPlaces(layout, window);
+  CHECK(layout.Get(PanelId::Menu).Top() == layout.Get(PanelId::MenuBar).Y);
+  CHECK(layout.Get(PanelId::ToolBar).IsEmpty());
+  CHECK(layout.Get(PanelId::Tip).IsEmpty());
 }

@@ -71,6 +71,14 @@ TEST_CASE("PlanView: test points are coloured by the number of scans that see th
   CHECK(view.GetNumberCoverable() == 4);
   CHECK(view.GetNumberCovered() == 3);
   CHECK(view.Describe().find("2 scan positions see 3 of 5 test points: 60.0 %, or 75.0 %") == 0);
+  const Legend legend = view.MakeLegend();
+  CHECK(legend.IsCategory);
+  REQUIRE(legend.Marks.size() == 7);
+  CHECK(legend.Marks[1].Text == "2");
+  CHECK(legend.Colors[1] == PlanView::GetColor(true, 2));
+  CHECK(legend.Marks[4].Text == "not visible from anywhere");
+  CHECK(legend.Colors[4] == PlanView::GetColor(false, 0));
+  CHECK(legend.Marks[6].Text == "candidate");
   view.SetVisible(false);
   stage.Render();
   CHECK(stage.CountPixels(Black) == 200 * 200);
@@ -103,7 +111,17 @@ TEST_CASE("FlightView: lines are numbered, cells are coloured by their density")
   CHECK(view.GetNumberOfGaps() == 1);
   CHECK(view.GetMeanDensity() == 5.0);
   CHECK(view.Describe().find(
-          "2 flight lines give 5 pulses/m2 on average; 25.0 % of the area has none") == 0);
+          "2 flight lines give 5 pulses/m\xC2\xB2 on average; 25.0 % of the area has none") == 0);
+  const Legend legend = view.MakeLegend();
+  CHECK(legend.Title == "Pulses [1/m\xC2\xB2]");
+  CHECK_FALSE(legend.IsCategory);
+  CHECK(legend.Colors.back() == FlightView::GetColor(8.0, 8.0));
+  REQUIRE(legend.Marks.size() > 2);
+  CHECK(legend.Marks.back().Text == "8");
+  CHECK(legend.Marks.back().Position == 1.0);
+  REQUIRE(legend.Others.size() == 2);
+  CHECK(legend.Others[1].first == Rgb{ 235, 60, 55 });
+  CHECK(legend.Others[1].second == "no pulse");
   view.SetVisible(false);
   stage.Render();
   CHECK(stage.CountPixels(Black) == 200 * 200);

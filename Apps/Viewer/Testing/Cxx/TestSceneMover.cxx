@@ -5,6 +5,7 @@
 
 #include "heliosSceneView.h"
 #include "heliosStepFiles.h"
+#include "heliosTheme.h"
 #include "heliosViewer.h"
 #include "heliosViewerTest.h"
 
@@ -88,11 +89,12 @@ TEST_CASE("SceneMover: a part is drawn at its position at the displayed time")
     Viewer viewer(files.Options);
     REQUIRE(viewer.Run() == 0);
     const double x = Start + std::floor(time / 0.05);
-    CHECK(HasColor(viewer, { x, 30.0, 1.0 }, GetClassColor(6)));
-    CHECK(HasColor(viewer, { x + 1.7, 31.7, 1.0 }, GetClassColor(6)));
-    CHECK(HasColor(viewer, { x - 1.7, 28.3, 1.0 }, GetClassColor(6)));
-    CHECK_FALSE(HasColor(viewer, { x + 2.5, 30.0, 1.0 }, GetClassColor(6)));
-    CHECK_FALSE(HasColor(viewer, { x - 2.5, 30.0, 1.0 }, GetClassColor(6)));
+    const Rgb color = FindTheme("dark").Scene.Over(GetClassColor(6)); // below echoes
+    CHECK(HasColor(viewer, { x, 30.0, 1.0 }, color));
+    CHECK(HasColor(viewer, { x + 1.7, 31.7, 1.0 }, color));
+    CHECK(HasColor(viewer, { x - 1.7, 28.3, 1.0 }, color));
+    CHECK_FALSE(HasColor(viewer, { x + 2.5, 30.0, 1.0 }, color));
+    CHECK_FALSE(HasColor(viewer, { x - 2.5, 30.0, 1.0 }, color));
   }
 }
 

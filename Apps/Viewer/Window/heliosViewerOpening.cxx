@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
+// SPDX-License-Identifier: BSD-3-Clause
+// Opens other inputs, and asks for names of files.
+#include "heliosStatus.h"
+#include "heliosViewer.h"
+
+#include "heliosCloudView.h"
+#include "heliosHud.h"
+#include "heliosPlatformView.h"
+#include "heliosSceneMover.h"
+#include "heliosSceneView.h"
+#include "heliosViewerInputs.h"
+#include "heliosViewerTool.h"
+
+#include <filesystem>
+
+namespace fs = std::filesystem;
+
+namespace helios::viewer
+{
+
+//------------------------------------------------------------------------------
+Status Viewer::OpenInput(const std::string& path)
+{
+  const std::vector<std::string> before = this->Options.Inputs;
+  const double start = this->Options.StartTime;
+  this->Options.Inputs = { path };
+  this->Options.StartTime = -1.0;
+  const std::string kind = FindInputKind(path);
+  if (kind == "points" || kind == "run") // the cloud is read where the last one was
+  {
+    this->Running.reset();
+    this->Mover.reset();
+    this->Mesh.reset();
+    this->Platform.reset();
+    this->PointsView->SetEyeDomeLighting(this->Options.EyeDome);
+  }
+  vtkSmartPointer<vtkHeliosSurvey> survey = this->Survey;
+  this->Survey = nullptr;
+  const Status status = ShowInputs(*this);
+  if (!status.IsOk())
+  {
+    this->Options.Inputs = before;
+    this->Options.StartTime = start;
+    this->Survey = survey;
+    this->PointsView->Update();
+    this->Redraw();
+    return status;
+  }
+  this->MessageUntil = 0.0;
+  for (const auto& tool : this->Tools)
+  {
+    tool->OnNewInputs();
+  }
+  this->UpdateMenus();
+  this->Window->SetWindowName((fs::path(path).filename().string() + " - vtkHelios").c_str());
+  return status;
+}
+
+//------------------------------------------------------------------------------
+void Viewer::AskForInput()
+{
+  std::error_code error;
+  const fs::path shown = this->Options.Inputs.empty() ? "" : this->Options.Inputs.front();
+  const fs::path folder = fs::absolute(shown, error).parent_path();
+  this->Words->GetDialog().Open(folder.string(), FindInputKind,
+    [this](const std::string& path) { return this->OpenInput(path).Message(); });
+  this->Redraw();
+}
+
+//------------------------------------------------------------------------------
+void Viewer::AskForSurveyName()
+{
+  std::error_code error;
+  this->Words->GetDialog().SaveAs(
+    fs::absolute(this->Options.Save, error).string(),
+    [](const std::string& path)
+    {
+      const std::string kind = FindInputKind(path);
+      return kind == "survey" ? kind : "";
+    },
+    [this](const std::string& path)
+    {
+      this->Options.Save = fs::path(path).has_extension() ? path : path + ".xml";
+      for (const auto& tool : this->Tools)
+      {
+        if (const std::string problem = tool->Save(); !problem.empty())
+        {
+          return problem;
+        }
+      }
+      return std::string();
+    });
+  this->Redraw();
+}
+
+//------------------------------------------------------------------------------
+void Viewer::AskForStillName()
+{
+  std::error_code error;
+  this->Words->GetDialog().SaveAs(
+    fs::absolute("vtkhelios.png", error).string(),
+    [](const std::string& path) { return fs::path(path).extension() == ".png" ? "picture" : ""; },
+    [this](const std::string& path)
+    {
+      this->Words->GetDialog().Close(); // not in the picture
+      this->SaveStill(fs::path(path).has_extension() ? path : path + ".png");
+      return std::string();
+    });
+  this->Redraw();
+}
+
+} // namespace helios::viewer
