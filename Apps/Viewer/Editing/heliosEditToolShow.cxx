@@ -6,7 +6,6 @@
 #include "heliosEditArea.h"
 #include "heliosEditDocument.h"
 #include "heliosErrorText.h"
-#include "heliosGroundHeight.h"
 #include "heliosHud.h"
 #include "heliosMessages.h"
 #include "heliosSceneView.h"
@@ -32,6 +31,8 @@ namespace helios::viewer
 
 namespace
 {
+
+constexpr int HeightSamples = 10; // of a leg
 
 /// Returns the platform of a leg, facing the next one or away from the last.
 Pose FindPose(const SurveyEdit& edit, std::size_t leg)
@@ -133,9 +134,6 @@ void EditTool::FollowPlatform()
     return;
   }
   const SimulatedLeg& leg = legs.front();
-  const Vec3 place = leg.Positions[leg.Positions.size() / 2];
-  const double height =
-    place[2] - viewer::FindGround(SampleMesh(this->Owner.GetSceneView()->GetScene()), place);
   double length = 0.0;
   for (std::size_t i = 1; i < leg.Positions.size(); ++i)
   {
@@ -143,16 +141,34 @@ void EditTool::FollowPlatform()
   }
   if (this->Edit.PlatformModel.Type == PlatformType::Interpolated)
   {
-    this->Edit.Settings.Leg.Speed = RoundComputed(length / (leg.EndTime - leg.StartTime));
-    const auto base = std::find_if(this->Choice.Platforms.begin(), this->Choice.Platforms.end(),
+    this->Edit.Settings.Leg.Speed =
+      RoundComputed(length / std::max(1e-3, leg.EndTime - leg.StartTime));
+    const auto& all = this->Choice.Platforms;
+    auto base = std::find_if(all.begin(), all.end(),
       [&](const auto& entry) { return entry.second.Id == this->Edit.PlatformModel.Id; });
-    if (base != this->Choice.Platforms.end())
+    base = base != all.end()
+      ? base
+      : std::find_if(all.begin(), all.end(),
+          [&leg](const auto& entry) { return FindPlatformKind(entry.second) == leg.Kind; });
+    if (base != all.end())
     {
       this->Edit.Platform = base->first;
       this->Edit.PlatformModel = base->second;
     }
   }
-  std::isfinite(height) ? SetFlownHeight(this->Edit, height) : void();
+  std::vector<double> heights;
+  for (int i = 1; i < HeightSamples; ++i)
+  {
+    const double share = static_cast<double>(i) / HeightSamples;
+    const Vec3 place = leg.GetPose(leg.StartTime + share * (leg.EndTime - leg.StartTime)).Position;
+    const auto height = this->Owner.GetSceneView()->FindHeight(place);
+    height ? heights.push_back(*height) : void();
+  }
+  if (!heights.empty()) // their median: some may be above roofs
+  {
+    std::sort(heights.begin(), heights.end());
+    SetFlownHeight(this->Edit, heights[heights.size() / 2]);
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -30,14 +30,17 @@ void FileDialog::Begin(const std::string& folder, const FileKind& kind, Done don
   this->Hint.clear();
   this->Confirmed.clear();
   this->IsShown = true;
+  this->IsNew = true;
   this->Enter(folder.empty() ? "." : folder);
 }
 
 //------------------------------------------------------------------------------
-void FileDialog::Open(const std::string& folder, const FileKind& kind, Done done)
+void FileDialog::Open(const std::string& fileName, const FileKind& kind, Done done)
 {
+  const fs::path path(fileName);
   this->IsSaving = false;
-  this->Begin(folder, kind, std::move(done));
+  this->Begin(path.parent_path().string(), kind, std::move(done));
+  this->Files.Select(path.filename().string());
 }
 
 //------------------------------------------------------------------------------
@@ -344,6 +347,11 @@ void FileDialog::Paint(Painter& painter, const Rect& rect) const
     this->Text.empty() ? theme.FaintInk : theme.Ink);
   const auto count = static_cast<int>(this->Files.GetEntries().size());
   this->Rows = std::max(1, places.List.Height / GetLineHeight(size));
+  if (this->IsNew) // the selected one is in sight
+  {
+    this->First = std::max(0, this->Files.GetSelected() - this->Rows + 1);
+    this->IsNew = false;
+  }
   for (int i = this->First; i < std::min(count, this->First + this->Rows); ++i)
   {
     this->PaintRow(painter, this->GetRow(rect, i, size),

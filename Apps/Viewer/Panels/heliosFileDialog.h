@@ -24,8 +24,8 @@ public:
   /// Receives the file; returns an error, which the dialog shows, or an empty text.
   using Done = std::function<std::string(const std::string& path)>;
 
-  /// Opens the dialog for a file that exists.
-  void Open(const std::string& folder, const FileKind& kind, Done done);
+  /// Opens the dialog in the folder of a file, for one that exists.
+  void Open(const std::string& fileName, const FileKind& kind, Done done);
 
   /// Opens the dialog for the name of a file to write; one that exists must be confirmed.
   void SaveAs(const std::string& fileName, const FileKind& kind, Done done);
@@ -79,8 +79,9 @@ private:
   std::string Confirmed; ///< file that may be replaced
   bool IsShown = false;
   bool IsSaving = false;
-  mutable int First = 0; ///< first row
-  mutable int Rows = 1;  ///< rows that fit
+  mutable bool IsNew = false; ///< not yet drawn
+  mutable int First = 0;      ///< first row
+  mutable int Rows = 1;       ///< rows that fit
   int Pressed = -1;
   double PressedAt = 0.0;
 };

@@ -66,12 +66,18 @@ bool FileList::SetFolder(const std::string& folder)
 void FileList::GoUp()
 {
   const fs::path from = this->Folder;
-  if (!from.has_relative_path() || !this->SetFolder(from.parent_path().string()))
+  if (from.has_relative_path() && this->SetFolder(from.parent_path().string()))
   {
-    return;
+    this->Select(from.filename().string());
   }
+}
+
+//------------------------------------------------------------------------------
+/// Selects a name; one that is not listed changes nothing.
+void FileList::Select(const std::string& name)
+{
   const auto found = std::find_if(this->Shown.begin(), this->Shown.end(),
-    [&from](const FileEntry& entry) { return entry.Name == from.filename(); });
+    [&name](const FileEntry& entry) { return entry.Name == name; });
   this->Selected =
     found == this->Shown.end() ? this->Selected : static_cast<int>(found - this->Shown.begin());
 }

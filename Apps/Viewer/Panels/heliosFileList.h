@@ -44,6 +44,7 @@ public:
   /// @{
   /// Selects an entry; -1: none.
   void Select(int entry);
+  void Select(const std::string& name);
   void Move(int step);
   int GetSelected() const { return this->Selected; }
   ///@}

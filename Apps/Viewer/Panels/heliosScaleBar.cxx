@@ -102,6 +102,23 @@ PanelSize AxesPanel::GetSize(int textSize) const
 }
 
 //------------------------------------------------------------------------------
+/// A longer arrow in the same direction has its name there.
+bool AxesPanel::HasName(int axis) const
+{
+  double d[3], other[3];
+  this->GetDirection(axis, d);
+  bool hasName = true;
+  for (int i = 0; i < 3; ++i)
+  {
+    this->GetDirection(i, other);
+    const double share = std::hypot(d[0], d[1]), length = std::hypot(other[0], other[1]);
+    const bool isSame = d[0] * other[0] + d[1] * other[1] > 0.85 * share * length;
+    hasName = hasName && (i == axis || !isSame || length <= share);
+  }
+  return hasName;
+}
+
+//------------------------------------------------------------------------------
 void AxesPanel::Paint(Painter& painter, const Rect& rect) const
 {
   const double centerX = rect.X + 0.5 * rect.Width, centerY = rect.Y + 0.5 * rect.Height;
@@ -131,8 +148,8 @@ void AxesPanel::Paint(Painter& painter, const Rect& rect) const
                              by - 0.5 * size * ux },
         color);
       painter.DrawText(static_cast<int>(x + 0.75 * painter.GetTextSize() * ux),
-        static_cast<int>(y + 0.75 * painter.GetTextSize() * uy), AxisNames[axis],
-        painter.GetTheme().Ink, Painter::Align::Center);
+        static_cast<int>(y + 0.75 * painter.GetTextSize() * uy),
+        this->HasName(axis) ? AxisNames[axis] : "", painter.GetTheme().Ink, Painter::Align::Center);
     }
   }
 }

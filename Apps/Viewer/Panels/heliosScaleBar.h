@@ -57,6 +57,9 @@ public:
   /// Computes the direction of an axis on the screen: right, up, towards the viewer.
   void GetDirection(int axis, double direction[3]) const;
 
+  /// Returns whether the name of an axis is not where that of another one is.
+  bool HasName(int axis) const;
+
   PanelSize GetSize(int textSize) const override;
   void Paint(Painter& painter, const Rect& rect) const override;
 

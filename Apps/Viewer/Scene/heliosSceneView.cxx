@@ -364,6 +364,16 @@ std::optional<ScenePick> SceneView::Pick(double x, double y)
 }
 
 //------------------------------------------------------------------------------
+std::optional<double> SceneView::FindHeight(const Vec3& place)
+{
+  constexpr double above = 1.0; // [m], where the ray begins
+  const vtkHeliosRay ray{ { place[0], place[1], place[2] + above }, { 0.0, 0.0, -1.0 } };
+  Vec3 normal;
+  const vtkHeliosHit hit = this->Resting.Pick(ray, normal);
+  return hit.CellId < 0 ? std::nullopt : std::optional<double>(hit.Range - above);
+}
+
+//------------------------------------------------------------------------------
 bool SceneView::GetBounds(double bounds[6]) const
 {
   if (!this->Scene)

@@ -132,6 +132,9 @@ public:
   /// Returns the first hit of the ray through a window pixel, in double precision.
   std::optional<ScenePick> Pick(double x, double y);
 
+  /// Returns the height of a place above what is below it [m]; a place on a surface is not below it.
+  std::optional<double> FindHeight(const Vec3& place);
+
   /// Gets world bounds x0 x1 y0 y1 z0 z1 [m]; false without a scene.
   bool GetBounds(double bounds[6]) const;
 

@@ -62,8 +62,7 @@ void Viewer::AskForInput()
 {
   std::error_code error;
   const fs::path shown = this->Options.Inputs.empty() ? "" : this->Options.Inputs.front();
-  const fs::path folder = fs::absolute(shown, error).parent_path();
-  this->Words->GetDialog().Open(folder.string(), FindInputKind,
+  this->Words->GetDialog().Open(fs::absolute(shown, error).string(), FindInputKind,
     [this](const std::string& path) { return this->OpenInput(path).Message(); });
   this->Redraw();
 }

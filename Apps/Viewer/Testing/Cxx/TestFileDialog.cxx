@@ -55,7 +55,7 @@ struct OpenDialog : Folder
 {
   OpenDialog()
   {
-    this->Dialog.Open(this->Path.string(), FindInputKind,
+    this->Dialog.Open((this->Path / "none").string(), FindInputKind,
       [this](const std::string& path)
       {
         this->Opened.push_back(path);
@@ -253,7 +253,9 @@ TEST_CASE("FileDialog: long lists follow the selection and the wheel")
     folder.Write("cloud" + std::to_string(100 + i) + ".xyz", "1 2 3\n");
   }
   FileDialog dialog;
-  dialog.Open(folder.Path.string(), FindInputKind, [](const std::string&) { return ""; });
+  dialog.Open(
+    (folder.Path / "cloud150.xyz").string(), FindInputKind, [](const std::string&) { return ""; });
+  CHECK(dialog.GetList().GetEntry()->Name == "cloud150.xyz"); // the one that is shown
   dialog.OnKey("End", 0);
   CHECK(dialog.GetList().GetEntry()->Name == "yard.las");
   CHECK_FALSE(dialog.GetRow(Place, dialog.GetList().GetSelected(), Size).IsEmpty());
@@ -272,6 +274,6 @@ TEST_CASE("FileList: a folder that cannot be read changes nothing")
   CHECK(list.GetFolder() == folder.Path.string());
   CHECK(list.GetEntries().size() == 5);
   FileDialog dialog;
-  dialog.Open((folder.Path / "none").string(), FindInputKind, nullptr);
+  dialog.Open((folder.Path / "none" / "a.xml").string(), FindInputKind, nullptr);
   CHECK_THAT(dialog.GetHint(), Contains("none: this folder cannot be read"));
 }

@@ -234,7 +234,7 @@ TEST_CASE("Hud: an open dialog takes the presses, and hides the panels")
 {
   HudWindow window;
   window.Panels.GetDialog().Open(
-    "/", [](const std::string&) { return ""; }, [](const std::string&) { return ""; });
+    "/none", [](const std::string&) { return ""; }, [](const std::string&) { return ""; });
   window.Place();
   CHECK_FALSE(window.Panels.GetRect(PanelId::Dialog).IsEmpty());
   CHECK(window.Panels.GetRect(PanelId::Legend).IsEmpty());
@@ -339,7 +339,12 @@ TEST_CASE("Hud: the axes point where the camera shows east, north and up")
   window.Panels.GetAxes().GetDirection(1, direction);
   CHECK(direction[1] == Approx(1.0));
   window.Panels.GetAxes().GetDirection(2, direction);
-  CHECK(direction[2] == Approx(1.0)); // at the viewer
+  CHECK(direction[2] == Approx(1.0));   // at the viewer
+  camera->SetPosition(-10.0, 0.0, 8.0); // looking east: both east and up are up on the screen
+  camera->SetViewUp(0.0, 0.0, 1.0);
+  CHECK_FALSE(window.Panels.GetAxes().HasName(0));
+  CHECK(window.Panels.GetAxes().HasName(1));
+  CHECK(window.Panels.GetAxes().HasName(2));
 }
 
 TEST_CASE("Painter: long texts end in an ellipsis that fits")
