@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What carries a scanner: its kind by names, and where they tell nothing by how it moves.
+// Kinds of platforms, by names, and where they tell nothing by how they move.
 
 #ifndef heliosPlatformKind_h
 #define heliosPlatformKind_h

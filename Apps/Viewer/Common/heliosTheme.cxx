@@ -118,7 +118,7 @@ void SetUpText(vtkTextProperty* letters, const Rgb& color, int size)
   static const std::string file = FindFontFile();
   if (file.empty())
   {
-    letters->SetFontFamilyToArial(); // of VTK, with brackets that look round
+    letters->SetFontFamilyToArial(); // the font of VTK has brackets that look round
   }
   else
   {

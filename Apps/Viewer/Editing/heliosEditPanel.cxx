@@ -25,7 +25,7 @@ namespace helios::viewer
 namespace
 {
 
-constexpr int PanelWidth = 18; // in text heights: narrow, since it covers the scene
+constexpr int PanelWidth = 16; // in text heights: narrow, since it covers the scene
 
 /// Returns the height of a slider with its label [pixels].
 int GetRowHeight(int textSize)

@@ -32,7 +32,7 @@ namespace helios::viewer
 namespace
 {
 
-constexpr int HeightSamples = 10; // of a leg
+constexpr int HeightSamples = 10; // places of a leg
 
 /// Returns the platform of a leg, facing the next one or away from the last.
 Pose FindPose(const SurveyEdit& edit, std::size_t leg)
@@ -250,8 +250,8 @@ std::string EditTool::MakeHeading() const
   {
     const std::string file =
       this->Files.empty() ? "none found" : fs::path(this->Files[this->File]).filename().string();
-    return "Scene parts (M: back to the scanner)\npart: " +
-      (this->Part.empty() ? "click on one" : this->Part) + "\nto add (a), next (g): " + file +
+    return "Scene parts (M: back)\npart: " +
+      (this->Part.empty() ? "click on one" : this->Part) + "\nadd (a, next: g): " + file +
       "\nmove: arrows, Shift-click\nrotate: < >   scale: * /\nremove: Delete";
   }
   std::string text = "Direct control\nTab: " + this->Edit.PlatformModel.Name +

@@ -204,7 +204,7 @@ void FileDialog::OnKey(const std::string& key, char character)
   }
   else if (key == "Left" || (key == "BackSpace" && this->Text.empty()))
   {
-    this->Files.GoUp();
+    this->Files.MoveUp();
   }
   else if (key == "Right" && entry && entry->IsFolder)
   {
@@ -242,7 +242,7 @@ void FileDialog::OnPress(const Rect& rect, int x, int y, int textSize, double ti
   }
   else if (places.Up.Contains(x, y))
   {
-    this->Files.GoUp();
+    this->Files.MoveUp();
   }
   else if (places.List.Contains(x, y))
   {

@@ -63,7 +63,7 @@ bool FileList::SetFolder(const std::string& folder)
 }
 
 //------------------------------------------------------------------------------
-void FileList::GoUp()
+void FileList::MoveUp()
 {
   const fs::path from = this->Folder;
   if (from.has_relative_path() && this->SetFolder(from.parent_path().string()))

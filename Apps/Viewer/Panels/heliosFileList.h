@@ -18,7 +18,7 @@ using FileKind = std::function<std::string(const std::string& path)>;
 struct FileEntry
 {
   std::string Name;
-  std::string Kind; ///< of a folder: empty, if it is only entered
+  std::string Kind; ///< kind of its content; empty: a folder that is only entered
   bool IsFolder = false;
 };
 
@@ -33,7 +33,7 @@ public:
   const std::string& GetFolder() const { return this->Folder; }
 
   /// Goes to the folder above, and selects the one it came from.
-  void GoUp();
+  void MoveUp();
 
   /// Lists only names that contain a text, in any case.
   void SetFilter(const std::string& text);

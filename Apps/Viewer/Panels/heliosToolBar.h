@@ -18,7 +18,7 @@ namespace helios::viewer
 struct ToolButton
 {
   std::string Text;
-  std::string Tip; ///< what it does, and its key
+  std::string Tip; ///< its effect, and its key
   std::function<void()> Do;
   std::function<bool()> IsOn; ///< whether it is pressed in; null: never
 };

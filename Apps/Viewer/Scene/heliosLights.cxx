@@ -15,7 +15,7 @@ namespace helios::viewer
 namespace
 {
 
-constexpr double Ambient = 0.36; // what a wall has that no light meets
+constexpr double Ambient = 0.36; // share of light without direction
 
 // Where the light comes from, and its strength.
 const Vec3 Sun(-0.5, -0.62, 0.6);

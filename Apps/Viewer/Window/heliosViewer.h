@@ -99,9 +99,9 @@ public:
 
   ///@{
   /// Opens the dialog of files: for other inputs, for the edited survey, for a PNG.
-  void AskForInput();
-  void AskForSurveyName();
-  void AskForStillName();
+  void OpenInputDialog();
+  void OpenSurveyDialog();
+  void OpenStillDialog();
   ///@}
 
   /// Shows other inputs.

@@ -166,13 +166,13 @@ void AddLook(Viewer& viewer, ViewerKeys& keys)
 
 void AddFiles(Viewer& viewer, ViewerKeys& keys)
 {
-  keys.Add(
-    { "File", { "Control-o", "O" }, "Ctrl-O", "open ...", [&viewer] { viewer.AskForInput(); } });
+  keys.Add({ "File", { "Control-o", "O" }, "Ctrl-O", "open ...",
+    [&viewer] { viewer.OpenInputDialog(); } });
   keys.Add({ "", { "Control-s" }, "Ctrl-S", "save the survey as ...",
-    [&viewer] { viewer.AskForSurveyName(); } });
+    [&viewer] { viewer.OpenSurveyDialog(); } });
   keys.Add({ "", { "p" }, "p", "save a picture, vtkhelios.png",
     [&viewer] { viewer.SaveStill("vtkhelios.png"); } });
-  keys.Add({ "", { "P" }, "P", "save a picture as ...", [&viewer] { viewer.AskForStillName(); } });
+  keys.Add({ "", { "P" }, "P", "save a picture as ...", [&viewer] { viewer.OpenStillDialog(); } });
   keys.Add({ "", { "R" }, "R", "start, stop recording vtkhelios.ogv",
     [&viewer] { viewer.ToggleRecording(); } });
   keys.Add({ "", { "h", "question", "F1" }, "h", "this help",
@@ -193,8 +193,8 @@ std::vector<ToolButton> MakeButtons(Viewer& viewer, ViewerKeys& keys)
   const auto isIn = [&viewer](const char* tool)
   { return [&viewer, tool] { return viewer.IsToolOn(tool); }; };
   return { { "Open", "open a survey, scene, run, plan or cloud (Ctrl-O)",
-             [&viewer] { viewer.AskForInput(); }, nullptr },
-    { "Save as", "save the survey (Ctrl-S)", [&viewer] { viewer.AskForSurveyName(); }, nullptr },
+             [&viewer] { viewer.OpenInputDialog(); }, nullptr },
+    { "Save as", "save the survey (Ctrl-S)", [&viewer] { viewer.OpenSurveyDialog(); }, nullptr },
     { "Show all", "show all data (r)", press("r"), nullptr },
     { "Top", "from above, north up (t); drag to leave it", press("t"), isMode(CameraMode::Top) },
     { "Follow", "follow the platform (f)", press("f"), isMode(CameraMode::Follow) },

@@ -24,7 +24,7 @@ namespace
 {
 
 constexpr int ClickPixels = 4; // maximum motion of a click
-constexpr int WheelRows = 3;   // of a list
+constexpr int WheelRows = 3;   // rows of a list
 
 /// Returns the key of the last event as X names it; empty: none.
 std::string GetPressedKey(vtkRenderWindowInteractor& interactor)

@@ -58,7 +58,7 @@ Status Viewer::OpenInput(const std::string& path)
 }
 
 //------------------------------------------------------------------------------
-void Viewer::AskForInput()
+void Viewer::OpenInputDialog()
 {
   std::error_code error;
   const fs::path shown = this->Options.Inputs.empty() ? "" : this->Options.Inputs.front();
@@ -68,7 +68,7 @@ void Viewer::AskForInput()
 }
 
 //------------------------------------------------------------------------------
-void Viewer::AskForSurveyName()
+void Viewer::OpenSurveyDialog()
 {
   std::error_code error;
   this->Words->GetDialog().SaveAs(
@@ -94,7 +94,7 @@ void Viewer::AskForSurveyName()
 }
 
 //------------------------------------------------------------------------------
-void Viewer::AskForStillName()
+void Viewer::OpenStillDialog()
 {
   std::error_code error;
   this->Words->GetDialog().SaveAs(

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// What carries a scanner, by its names, by how it moves, and what is drawn for it.
+// Kinds of platforms by their names and how they move, and their models.
 #include "heliosPlatformKind.h"
 
 #include "heliosGroundHeight.h"
