@@ -250,8 +250,8 @@ std::string EditTool::MakeHeading() const
   {
     const std::string file =
       this->Files.empty() ? "none found" : fs::path(this->Files[this->File]).filename().string();
-    return "Scene parts (M: back)\npart: " +
-      (this->Part.empty() ? "click on one" : this->Part) + "\nadd (a, next: g): " + file +
+    return "Scene parts (M: back)\npart: " + (this->Part.empty() ? "click on one" : this->Part) +
+      "\nadd (a, next: g): " + file +
       "\nmove: arrows, Shift-click\nrotate: < >   scale: * /\nremove: Delete";
   }
   std::string text = "Direct control\nTab: " + this->Edit.PlatformModel.Name +
