@@ -96,9 +96,9 @@ helios_pip() {
 helios_install_test_libraries() {
   [ ${#helios_pyvista[@]} -eq 0 ] ||
     helios_pip 'import pyvista' "PyVista" --no-deps "${helios_pyvista[@]}"
-  helios_pip 'import pandas, trimesh, meshio, mcap, rosbags' "pandas, trimesh, meshio, mcap, rosbags" \
+  helios_pip 'import pandas, trimesh, meshio, mcap, rosbags.rosbag2' "pandas, trimesh, meshio, mcap, rosbags" \
     --no-deps 'pandas==2.2.3' 'python-dateutil<3' pytz tzdata six 'trimesh==4.12.2' 'meshio==5.3.5' \
-    'mcap==1.6.0' 'rosbags==0.11.9' lz4 ruamel.yaml typing-extensions zstandard
+    'mcap==1.6.0' 'rosbags==0.11.9' apsw backports.zstd lz4 ruamel.yaml typing-extensions zstandard
   helios_pip 'import dask, distributed' "Dask" dask distributed
   helios_pip 'import mypy.api, pathspec; pathspec.GitIgnoreSpec' "mypy" 'mypy==2.4.1'
   helios_pip 'import ruff' "ruff" --no-deps 'ruff==0.17.6'

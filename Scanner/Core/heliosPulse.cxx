@@ -5,7 +5,6 @@
 #include "vtkHeliosBeamDeflector.h"
 
 #include "heliosErrorTerms.h"
-#include "heliosPhase.h"
 #include "heliosRandom.h"
 #include "vtkHeliosErrorModel.h"
 #include "vtkHeliosPlatformNoise.h"
@@ -131,8 +130,7 @@ bool PulseSource::GetPulse(vtkIdType index, Cursor& cursor, Pulse& pulse) const
   {
     return false;
   }
-  const double elapsed =
-    PulseTime(0.0, index, this->PulseFrequency) + this->Deflector->GetDelay(index);
+  const double elapsed = this->Deflector->GetElapsedTime(index);
   pulse.Id = this->Ids.Get(index);
   pulse.Channel = this->Deflector->GetChannel(index);
   pulse.Time = this->StartTime + elapsed;
@@ -166,8 +164,7 @@ bool PulseSource::GetPulse(vtkIdType index, Cursor& cursor, Pulse& pulse) const
 
 Vec3 PulseSource::GetVelocity(vtkIdType index, Cursor& cursor) const
 {
-  const double elapsed =
-    PulseTime(0.0, index, this->PulseFrequency) + this->Deflector->GetDelay(index);
+  const double elapsed = this->Deflector->GetElapsedTime(index);
   const double time = this->GetPoseTime(elapsed);
   const Head& head = this->GetHead(this->HeadStart + this->HeadSpeed * elapsed, cursor);
   const Vec3 lever = this->GetLever(index, head);

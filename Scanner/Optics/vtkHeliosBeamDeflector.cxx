@@ -60,6 +60,12 @@ double vtkHeliosBeamDeflector::GetDelay(vtkIdType) const
 }
 
 //------------------------------------------------------------------------------
+double vtkHeliosBeamDeflector::GetElapsedTime(vtkIdType pulse) const
+{
+  return helios::PulseTime(0.0, pulse, this->PulseFrequency) + this->GetDelay(pulse);
+}
+
+//------------------------------------------------------------------------------
 int vtkHeliosBeamDeflector::GetScanDirectionFlag(vtkIdType) const
 {
   return 0;

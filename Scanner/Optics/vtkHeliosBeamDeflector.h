@@ -71,6 +71,12 @@ public:
   virtual double GetDelay(vtkIdType pulse) const;
   ///@}
 
+  /**
+   * Returns when a pulse is fired [s], after pulse 0 without delay: pulse / PulseFrequency and its
+   * delay. Channels that fire at once have equal times, to the bit.
+   */
+  virtual double GetElapsedTime(vtkIdType pulse) const;
+
   ///@{
   /**
    * Returns, for optics that scan lines, the flags of LAS 1.4: 1 while the scan angle increases,

@@ -144,6 +144,15 @@ double vtkHeliosSpinningChannels::GetDelay(vtkIdType pulse) const
 }
 
 //------------------------------------------------------------------------------
+double vtkHeliosSpinningChannels::GetElapsedTime(vtkIdType pulse) const
+{
+  const int channel = this->GetChannel(pulse);
+  const double time = this->GetOne(channel).FiringTime;
+  return time < 0.0 ? this->Superclass::GetElapsedTime(pulse)
+                    : helios::PulseTime(0.0, pulse - channel, this->PulseFrequency) + time;
+}
+
+//------------------------------------------------------------------------------
 // The azimuth of the head in turns: at the start of the cycle, and in the cycle.
 double vtkHeliosSpinningChannels::ComputeHeadTurn(vtkIdType pulse, const Channel& one) const
 {

@@ -126,6 +126,7 @@ public:
 
   int GetChannel(vtkIdType pulse) const override;
   double GetDelay(vtkIdType pulse) const override;
+  double GetElapsedTime(vtkIdType pulse) const override;
 
 protected:
   vtkHeliosSpinningChannels();

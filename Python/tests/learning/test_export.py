@@ -8,7 +8,9 @@ import numpy as np
 import pytest
 
 from vtkhelios import cli, formats
-from vtkhelios.learning import Labels, _mcap, _s3dis, _scans
+from vtkhelios.learning import Content, Labels, _s3dis, _scans
+from vtkhelios.learning._parts import Parts
+from vtkhelios.learning._rotation import matrix_of, quaternion_of
 
 WINDOW = 0.25  # s; legs last 1 s, of which a quarter has pulses
 
@@ -106,9 +108,18 @@ def test_objects_are_the_parts_of_a_class():
         "points": np.zeros((6, 3)), "ClassificationIds": np.array([0, 1, 5, 5, 5, 99]),
         "PartIds": np.array([3, 3, 7, 2, 7, 0]),
     }  # fmt: skip
-    found = {name: np.flatnonzero(mask).tolist() for name, mask in _s3dis._find_objects(arrays)}
-    assert found == {
+
+    def find(parts):
+        content = Content(parts=parts)
+        labels = content.find_static_labels(arrays)
+        objects = _s3dis._find_objects(arrays, labels, content.find_instances(arrays))
+        return {name: np.flatnonzero(mask).tolist() for name, mask in objects}
+
+    assert find(Parts()) == {
         "clutter_1": [0, 1], "highvegetation_1": [3], "highvegetation_2": [2, 4], "class99_1": [5],
+    }  # fmt: skip
+    assert find(Parts(["pole", "", "tree", "car", "", "", "", "signs"])) == {
+        "highvegetation_1": [3], "car_1": [0, 1], "pole_1": [5], "sign_1": [2, 4],
     }  # fmt: skip
 
 
@@ -154,8 +165,10 @@ def test_mcap(export, run):
     times = np.concatenate([start + rows["t"] for start, rows in zip(starts, clouds)])
     assert np.abs(times - arrays["GpsTime"]).max() < 1e-6
     assert len(found["/tf"]) == len(clouds)
-    transform = found["/tf"][0][1].transforms[0]
-    assert (transform.header.frame_id, transform.child_frame_id) == ("map", "lidar")
+    frames = [(each.header.frame_id, each.child_frame_id) for each in found["/tf"][0][1].transforms]
+    assert frames == [("map", "base_link"), ("base_link", "lidar")]
+    mount = found["/tf"][0][1].transforms[1].transform.translation
+    assert (mount.x, mount.y, mount.z) == pytest.approx((0, 0, 1.5))
     misses = [to_rows(cloud) for _, cloud in found["/misses"]]
     lengths = np.concatenate([np.sqrt(m["dx"] ** 2 + m["dy"] ** 2 + m["dz"] ** 2) for m in misses])
     assert np.allclose(lengths, 1) and len(lengths) > 100
@@ -179,8 +192,7 @@ def test_all_pulses_are_hits_or_misses(small_runs):
 def test_quaternions(seed):
     turn = np.random.default_rng(seed).normal(size=4)
     turn /= np.linalg.norm(turn)
-    x, y, z, w = _mcap._quaternion(_scans._matrix(turn))
-    assert np.allclose([w, x, y, z], turn * np.sign(turn[0]))
+    assert np.allclose(quaternion_of(matrix_of(turn)), turn * np.sign(turn[0]))
 
 
 def test_poses_between_samples():
@@ -190,29 +202,13 @@ def test_poses_between_samples():
     poses._times = np.array([0.0, 1.0])
     poses._places = np.array([[0.0, 0, 0], [10, 0, 0]])
     poses._turns = np.array([[1.0, 0, 0, 0], [half, 0, 0, half]])
-    pose = poses.at(1 / 3)
+    pose = poses.of_platform(1 / 3)
     forward = np.deg2rad(90 + 30)  # yaw of the body, counter-clockwise from east
     assert np.allclose(pose[:3, 0], [np.cos(forward), np.sin(forward), 0])
     left = forward + np.pi / 2
     assert np.allclose(pose[:3, 1], [np.cos(left), np.sin(left), 0])
     assert np.allclose(pose[:3, 2], [0, 0, 1])
     assert np.allclose(pose[:3, 3], [10 / 3, 0, 0])
-
-
-def test_labels_of_materials_go_before_classes():
-    from vtkmodules.vtkCommonCore import vtkStringArray
-    from vtkmodules.vtkCommonDataModel import vtkFieldData
-
-    names, fields = vtkStringArray(), vtkFieldData()
-    names.SetName("Material.Name")
-    for name in ("Oak_Bark", "beech leaves", "concrete"):
-        names.InsertNextValue(name)
-    fields.AddArray(names)
-    arrays = {
-        "points": np.zeros((4, 3)), "MaterialIds": np.array([0, 1, 2, 2]),
-        "ClassificationIds": np.array([5, 5, 6, 2]),
-    }  # fmt: skip
-    assert Labels().find(arrays, fields).tolist() == [71, 70, 50, 72]
 
 
 def call(capsys, *arguments):
@@ -234,6 +230,8 @@ def test_errors(small_runs, tmp_path, capsys):
         ('{"colours": {}}', "\"colours\" is unknown; give {"), ("{", "is not valid JSON"),
         ("[" * 100_000, "is nested too deeply"), ('{"classes": [1]}', "classes is no object"),
         ('{"classes": {"256": 1}}', 'class "256" is not from 0 to 255'),
+        ('{"moving": {"car": 1}}', 'label "car" is not from 0 to 65535'),
+        ('{"parts": {"car": "x"}}', '"x" is no label'),
     ):  # fmt: skip
         (tmp_path / "l.json").write_text(text)
         code, err = call(capsys, run, out, "--kitti", "--labels", tmp_path / "l.json")
@@ -262,18 +260,20 @@ def test_runs_without_trajectory_or_times(small_runs, tmp_path, capsys):
     assert code == 1 and "has no trajectory, which gives the pose of a scan" in err
 
 
-def test_too_many_instances():
-    from vtkhelios.learning._labels import find_instances
-
-    with pytest.raises(formats.FormatError, match="65,535 is beyond the 65,535 instances"):
-        find_instances({"points": np.zeros((1, 3)), "PartIds": np.array([65535])})
-    assert find_instances({"points": np.zeros((1, 3)), "PartIds": np.array([-1])})[0] == 0
-
-
 def test_points_that_are_not_in_order():
     chunk = {"GpsTime": np.array([0.0, 0.6, 0.1]), "points": np.zeros((3, 3))}
     with pytest.raises(formats.FormatError, match="not in order of time; give --window leg"):
         list(_scans._split([chunk], 0.0, 0.5, "a.las"))
+
+
+def test_times_that_are_equal_but_for_rounding_are_in_order():
+    """Beams that fire at once, of runs before 0.4: the last unit of their times differs."""
+    edge = 123456.7
+    times = np.array([edge, np.nextafter(edge, 0), edge, edge + 0.5, np.nextafter(edge + 0.5, 0)])
+    chunk = {"GpsTime": times, "points": np.zeros((5, 3))}
+    for start in (edge, edge - 0.5):
+        split = list(_scans._split([chunk], start, 0.5, "a.las"))
+        assert [len(part["GpsTime"]) for _, part in split] == [3, 2]
 
 
 def test_points_before_the_first_time_of_the_trajectory_are_in_the_first_window():

@@ -42,8 +42,9 @@ PACKAGES = {
     "open3d": Package("Cloud.to_open3d()", "open3d", True),
     "dask": Package("surveys on a cluster", "dask distributed"),
     "distributed": Package("surveys on a cluster", "dask distributed"),
-    "mcap": Package("vtkhelios export --mcap", "mcap rosbags", True),
-    "rosbags": Package("vtkhelios export --mcap", "mcap rosbags", True),
+    "mcap": Package("vtkhelios export --mcap and --rosbag", "mcap rosbags", True),
+    "rosbags": Package("vtkhelios export --mcap and --rosbag", "mcap rosbags", True),
+    "torch": Package("data sets of PyTorch of vtkhelios.learning", "torch", True),
 }
 
 

@@ -47,7 +47,12 @@ def beside(path, kind):
 
 def is_epoch(path):
     """Returns whether a folder belongs to an epoch."""
-    return Files.GetEpoch(to_vtk(_name(path))) >= 0
+    return find_epoch(path) >= 0
+
+
+def find_epoch(path):
+    """Returns the epoch of a folder, by its name; -1: none."""
+    return Files.GetEpoch(to_vtk(_name(path)))
 
 
 def _name(path):

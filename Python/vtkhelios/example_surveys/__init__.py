@@ -25,6 +25,7 @@ KINDS = {
     "als": "a hamlet in the hills, from two strips of an aircraft",
     "uls": "an orchard, from a multicopter",
     "mls": "a street, from a car that follows a recorded trajectory",
+    "street": "a street with traffic, from a spinning head on a car: data for robots",
     "forest": "a stand with undergrowth, from three positions of a tripod",
     "city": "blocks of houses as CityJSON, from crossing strips of an aircraft",
     "river": "a river with its bed, a bridge and willows, from two strips of a bathymetric aircraft",

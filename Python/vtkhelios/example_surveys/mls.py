@@ -14,8 +14,8 @@ CARS = [(-28.0, -1), (-12.0, 1), (-6.0, 1), (9.0, -1), (21.0, 1)]  # x, side
 
 
 def write_geometry(folder):
-    _make_street().write(folder / "street.obj")
-    _make_houses().write(folder / "houses.obj")
+    make_street().write(folder / "street.obj")
+    make_houses().write(folder / "houses.obj")
     _make_furniture().write(folder / "furniture.obj")
     write_tree(folder / "tree.obj", "Broadleaf", 3, 6.0, 1200, 3.5)
     write_table(
@@ -42,7 +42,7 @@ def make_trajectory():
     return np.stack([time, roll, pitch, yaw, x, y, 0.0 * time], axis=1)
 
 
-def _make_street():
+def make_street():
     street, half = Mesh(), LENGTH / 2
     x, y = np.meshgrid((-half, half), (-KERB, 0.0, KERB))
     street.add_grid("asphalt", x, y, np.array([[0.0, 0.0], [0.05, 0.05], [0.0, 0.0]]))
@@ -52,7 +52,7 @@ def _make_street():
     return street
 
 
-def _make_houses():
+def make_houses():
     """Two rows of houses; each front has windows 0.15 m deep."""
     houses = Mesh()
     for side in (-1, 1):

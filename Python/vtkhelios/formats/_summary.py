@@ -37,6 +37,22 @@ def _file_name(value):
     return _text(value) and value not in ("", ".", "..") and not set(value) & set("/\0")
 
 
+def _coordinates(value, count):
+    numbers = value if isinstance(value, list) else []
+    return len(numbers) == count and all(
+        isinstance(each, (int, float)) and not isinstance(each, bool) and abs(each) <= LARGEST
+        for each in numbers
+    )
+
+
+def _three(value):
+    return _coordinates(value, 3)
+
+
+def _four(value):
+    return _coordinates(value, 4) and abs(sum(each * each for each in value) - 1) < 1e-6
+
+
 def _option(value):
     return value is None or isinstance(value, bool) or _text(value) or _number(value)
 
@@ -48,6 +64,8 @@ EXPECTED = {
     _text: "a text",
     _file_name: "the name of a file in the folder of the run",
     _option: f"a text, true, false or a number from 0 to {LARGEST:g}",
+    _three: f"three numbers up to {LARGEST:g}",
+    _four: "the four numbers of a unit quaternion",
     dict: "an object",
     list: "a list",
 }
@@ -68,10 +86,12 @@ WHOLE = {
         },
         "reason": _text, "without": [_text],
     },
+    "carriers": {None: _text},
     "inputs": [{"bytes": _count, "file": _text, "sha256": _text}],
     "legs": [{
         "leg": _index, "start_s": _number, "duration_s": _number,
         "files": [{"name": _file_name, "records": _count, "bytes": _count}],
+        "mount": {"position_m": _three, "orientation": _four},
         **dict.fromkeys(("firstReturns", "points", "pulses", "pulsesFired", "pulsesHit"), _count),
     }],
     "options": _OPTIONS,

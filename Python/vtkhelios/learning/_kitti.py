@@ -14,11 +14,27 @@ sequences/00/origin.txt            the pose of the first scan in the run, 4 x 4
 import numpy as np
 
 from ..core.files import write_whole
-from ._labels import find_instances, find_intensities
 from ._tables import write_table
 
 # From the scanner (x forward, y left, z up) to the camera (x right, y down, z forward).
 TO_CAMERA = np.array([[0, -1, 0, 0], [0, 0, -1, 0], [1, 0, 0, 0], [0, 0, 0, 1]], float)
+
+
+def make_rows(scan, content):
+    """Returns x, y, z [m] and intensity of the points of a scan, float32."""
+    rows = np.empty((len(scan.arrays["points"]), 4), "<f4")
+    rows[:, :3], rows[:, 3] = scan.points, content.find_intensities(scan.arrays)
+    return rows
+
+
+def write_calibration(path, transforms):
+    """Writes P0 to P3, which are identities, and transforms, by name."""
+    lines = {**{f"P{index}": np.eye(4)[:3] for index in range(4)}, **transforms}
+    rows = (
+        f"{name}: {' '.join(f'{value:.12e}' for value in matrix.ravel())}\n"
+        for name, matrix in lines.items()
+    )
+    write_whole(path, "".join(rows))
 
 
 class KittiWriter:
@@ -26,8 +42,8 @@ class KittiWriter:
 
     poses_file = "poses/00.txt"
 
-    def __init__(self, folder, labels, fields):
-        self.folder, self.labels, self.fields = folder, labels, fields
+    def __init__(self, folder, content):
+        self.folder, self.content = folder, content
         self.sequence = folder / "sequences/00"
 
     def write(self, scans):
@@ -36,8 +52,7 @@ class KittiWriter:
             folder.mkdir(parents=True, exist_ok=True)
         starts, poses, count = [], [], 0
         for number, scan in enumerate(scans):
-            rows = np.empty((len(scan.arrays["points"]), 4), "<f4")
-            rows[:, :3], rows[:, 3] = scan.points, find_intensities(scan.arrays)
+            rows = make_rows(scan, self.content)
             write_whole(self.sequence / f"velodyne/{number:06}.bin", rows.tobytes())
             self.write_labels(number, scan)
             starts.append(scan.start)
@@ -55,10 +70,7 @@ class KittiWriter:
         write_table(self.folder / self.poses_file, rows, "%.9e")
         write_table(self.sequence / "times.txt", starts - starts[0], "%.6e")
         write_table(self.sequence / "origin.txt", poses[0], "%.17g")
-        identity = " ".join(f"{value:.12e}" for value in np.eye(4)[:3].ravel())
-        tr = " ".join(f"{value:.12e}" for value in TO_CAMERA[:3].ravel())
-        lines = [f"P{index}: {identity}\n" for index in range(4)]
-        write_whole(self.sequence / "calib.txt", "".join([*lines, f"Tr: {tr}\n"]))
+        write_calibration(self.sequence / "calib.txt", {"Tr": TO_CAMERA[:3]})
 
 
 class SemanticKittiWriter(KittiWriter):
@@ -68,6 +80,6 @@ class SemanticKittiWriter(KittiWriter):
 
     def write_labels(self, number, scan):
         (self.sequence / "labels").mkdir(exist_ok=True)
-        words = find_instances(scan.arrays) << np.uint32(16)
-        words |= self.labels.find(scan.arrays, self.fields)
+        words = self.content.find_instances(scan.arrays) << np.uint32(16)
+        words |= self.content.find_labels(scan.arrays)
         write_whole(self.sequence / f"labels/{number:06}.label", words.astype("<u4").tobytes())

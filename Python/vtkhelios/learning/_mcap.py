@@ -6,8 +6,8 @@
           stamp, ring (channel), range [m], return_number
 /misses   the same message of pulses without an echo, of runs with pulses: dx dy dz (unit vector),
           t, ring
-/tf       tf2_msgs/TFMessage: the frame lidar in map, at each scan; map begins at the first scan's
-          position in whole metres
+/tf       tf2_msgs/TFMessage: base_link in map, and lidar in base_link, at each scan; map begins at
+          the first scan's position in whole metres
 
 A stamp is GpsTime, or, if the points have a GpsEpoch, the Unix time that ROS uses.
 """
@@ -17,9 +17,8 @@ import numpy as np
 from ..array_names import CHANNEL_IDS, GPS_TIME, RANGE, RETURN_NUMBER
 from ..core.files import naming
 from ..exchange import load
-from ..formats import Header
 from ..vtkHeliosFiltersCore import vtkHeliosGpsTime
-from ._labels import find_intensities
+from ._rotation import quaternion_of
 
 POINTS = np.dtype([
     ("x", "<f4"), ("y", "<f4"), ("z", "<f4"), ("intensity", "<f4"), ("t", "<f4"), ("range", "<f4"),
@@ -35,13 +34,17 @@ CLOUD, TRANSFORM = "sensor_msgs/msg/PointCloud2", "tf2_msgs/msg/TFMessage"
 class McapWriter:
     """Writes scans.mcap to a folder (a Path); needs mcap and rosbags."""
 
-    def __init__(self, folder, labels, fields):
+    name = "scans.mcap"
+
+    def __init__(self, folder, content):
         self._mcap = load("mcap.writer", "MCAP files need")
         typesys = load("rosbags.typesys", "MCAP files need")
         self.store = typesys.get_typestore(typesys.Stores.ROS2_HUMBLE)
-        self.path = folder / "scans.mcap"
+        self.path, self.content = folder / self.name, content
         self.channels, self.origin = {}, None
-        epoch = Header(fields).epoch
+        self.counts, self.kinds = {}, {}  # numbers and kinds of messages by topic
+        self.span = None  # their first and last time [ns]
+        epoch = content.header.epoch
         self.begin = round(1e9 * vtkHeliosGpsTime.ToUnixTime(epoch)) if epoch else 0  # [ns]
 
     def write(self, scans):
@@ -52,7 +55,7 @@ class McapWriter:
             self.writer.start(profile="ros2", library="vtkhelios")
             for number, scan in enumerate(scans):
                 self._write_transform(scan, number)
-                self._write_cloud("/points", scan.start, make_points(scan), number)
+                self._write_cloud("/points", scan.start, make_points(scan, self.content), number)
                 if scan.misses is not None:
                     self._write_cloud("/misses", scan.start, make_misses(scan), number)
                 count += len(scan.arrays["points"])
@@ -66,6 +69,8 @@ class McapWriter:
             self.channels[topic] = self.writer.register_channel(topic, "cdr", schema)
         data = bytes(self.store.serialize_cdr(message, kind))
         time = self._stamp(start)
+        self.counts[topic], self.kinds[topic] = self.counts.get(topic, 0) + 1, kind
+        self.span = (min(time, self.span[0]), max(time, self.span[1])) if self.span else (time, time)
         self.writer.add_message(self.channels[topic], time, data, time, number)
 
     def _stamp(self, start):
@@ -92,26 +97,36 @@ class McapWriter:
         self._send(topic, CLOUD, message, start, number)
 
     def _write_transform(self, scan, number):
+        """Writes the platform in the map, and the frame of points on the platform."""
         if self.origin is None:
-            self.origin = np.floor(scan.pose[:3, 3])
+            self.origin = np.floor(scan.platform[:3, 3])
+        platform = scan.platform.copy()
+        platform[:3, 3] -= self.origin
+        mount = np.linalg.inv(scan.platform) @ scan.pose
+        message = self.store.types[TRANSFORM]([
+            self._make_transform(scan, "map", "base_link", platform),
+            self._make_transform(scan, "base_link", "lidar", mount),
+        ])  # fmt: skip
+        self._send("/tf", TRANSFORM, message, scan.start, number)
+
+    def _make_transform(self, scan, parent, child, pose):
         kinds = self.store.types
-        x, y, z = (float(value) for value in scan.pose[:3, 3] - self.origin)
-        turn = kinds["geometry_msgs/msg/Quaternion"](*_quaternion(scan.pose[:3, :3]))
+        w, x, y, z = quaternion_of(pose[:3, :3])
         transform = kinds["geometry_msgs/msg/Transform"](
-            kinds["geometry_msgs/msg/Vector3"](x, y, z), turn
+            kinds["geometry_msgs/msg/Vector3"](*(float(value) for value in pose[:3, 3])),
+            kinds["geometry_msgs/msg/Quaternion"](x, y, z, w),
         )
-        stamped = kinds["geometry_msgs/msg/TransformStamped"](
-            self._header("map", scan.start), "lidar", transform
+        return kinds["geometry_msgs/msg/TransformStamped"](
+            self._header(parent, scan.start), child, transform
         )
-        self._send("/tf", TRANSFORM, kinds[TRANSFORM]([stamped]), scan.start, number)
 
 
-def make_points(scan):
+def make_points(scan, content):
     """Returns the rows of a PointCloud2."""
     arrays = scan.arrays
     rows = np.zeros(len(arrays["points"]), POINTS)
     rows["x"], rows["y"], rows["z"] = scan.points.T
-    rows["intensity"] = find_intensities(arrays)
+    rows["intensity"] = content.find_intensities(arrays)
     rows["t"] = arrays[GPS_TIME] - scan.start
     rows["range"] = arrays.get(RANGE, np.linalg.norm(scan.points, axis=1))
     rows["ring"] = arrays.get(CHANNEL_IDS, 0)
@@ -126,14 +141,3 @@ def make_misses(scan):
     rows["t"] = scan.misses[GPS_TIME] - scan.start
     rows["ring"] = scan.misses.get(CHANNEL_IDS, 0)
     return rows
-
-
-def _quaternion(matrix):
-    """x, y, z, w of a rotation matrix: the eigenvector of Bar-Itzhack (2000), which is always stable."""
-    (a, b, c), (d, e, f), (g, h, i) = matrix
-    k = np.array([
-        [a - e - i, d + b, g + c, h - f], [d + b, e - a - i, h + f, c - g],
-        [g + c, h + f, i - a - e, d - b], [h - f, c - g, d - b, a + e + i],
-    ]) / 3.0  # fmt: skip
-    vector = np.linalg.eigh(k)[1][:, -1]
-    return [float(value) for value in (vector if vector[3] >= 0 else -vector)]

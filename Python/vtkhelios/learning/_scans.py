@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A run as scans: the points of a time window or leg, and the pose of the platform."""
+"""A run as scans: the points of a time window or leg, and the pose of the sensor."""
 
 import dataclasses
 import itertools
@@ -8,12 +8,18 @@ import itertools
 import numpy as np
 
 from ..array_names import DIRECTION, GPS_TIME, HIT, PULSE_IDS
+from ..core.run_files import SUMMARY_NAME
 from ..formats import FormatError
+from ._rotation import matrix_of
+
+
+ROUNDING = 1e-9  # of times that are in order [s]
+IDENTITY = {"position_m": [0.0] * 3, "orientation": [1.0, 0.0, 0.0, 0.0]}
 
 
 @dataclasses.dataclass
 class Frame:
-    """Points in the frame of the platform at the middle of a scan: x forward, y left, z up."""
+    """Points in the frame of the sensor, or platform, at the middle of a scan: x forward, y left, z up."""
 
     leg: str  #: the stem of its file of points
     start: float  #: GpsTime of the window [s]
@@ -21,6 +27,8 @@ class Frame:
     # arrays of the points, by vtkhelios.array_names; "points" are in the frame of the run
     arrays: dict
     misses: dict | None  #: pulses without an echo: "Direction" in the run, GpsTime, ChannelIds
+    platform: np.ndarray | None = None  #: the pose of the platform, 4 x 4, x forward, y left, z up
+    duration: float = 0.0  #: of the window; of a leg, to its last echo [s]
 
     @property
     def points(self):
@@ -33,12 +41,17 @@ class Frame:
         return self.misses[DIRECTION] @ self.pose[:3, :3]
 
 
-def read_scans(reader, window=None):
-    """Yields the scans of a RunReader in order; window [s], None: a scan is a leg."""
+def read_scans(reader, window=None, frame="sensor"):
+    """Yields the scans of a RunReader in order; window [s], None: a scan is a leg.
+
+    frame
+        of the points: "sensor", the mount of the scanner on the platform, with x along its y axis;
+        or "platform".
+    """
     tagged = ((reader.scan, _check(reader, chunk)) for chunk in reader.chunks())
     for index, group in itertools.groupby(tagged, key=lambda pair: pair[0]):
         name = reader.files[index]
-        poses = _Poses(reader, name)
+        poses = _Poses(reader, name, _find_mount(reader, name, frame))
         chunks = (chunk for _, chunk in group)
         pulses = reader.scans[index].pulses or reader._pulses(name)
         start = poses.start
@@ -47,7 +60,11 @@ def read_scans(reader, window=None):
             missed = misses.find(number, arrays)
             begin = start + number * (window or 0.0)
             middle = begin + window / 2 if window else np.median(arrays[GPS_TIME])
-            yield Frame(reader.scans[index].name, begin, poses.at(middle), arrays, missed)
+            length = window or float(arrays[GPS_TIME].max()) - begin
+            platform = poses.of_platform(middle)
+            yield Frame(
+                reader.scans[index].name, begin, poses.at(middle), arrays, missed, platform, length
+            )
 
 
 def _check(reader, chunk):
@@ -65,15 +82,14 @@ def _split(chunks, start, window, name):
     number, parts = None, []
     for chunk in chunks:
         times = chunk[GPS_TIME]
-        # The times of a trajectory in text are rounded: a pulse may come before the first of them.
-        numbers = (
-            np.floor(np.maximum(times - start, 0) / window).astype(int) if window else 0 * times
-        )
+        numbers = _number(times, start, window)
         edges = np.flatnonzero(np.diff(numbers)) + 1
         for part in np.split(np.arange(len(times)), edges):
             if not len(part):
                 continue
             here = int(numbers[part[0]])
+            if number is not None and here < number:  # also if it begins there by rounding
+                here = int(_number(times[part].min() + 2 * ROUNDING, start, window))
             if number is not None and here < number:
                 raise FormatError(
                     f"{name}: its points are not in order of time; give --window leg, or run the "
@@ -86,6 +102,16 @@ def _split(chunks, start, window, name):
             parts.append({key: values[part] for key, values in chunk.items()})
     if parts:
         yield number, _join(parts)
+
+
+def _number(times, start, window):
+    """Returns the numbers of the windows of times.
+
+    The times of a trajectory in text are rounded: a pulse may come before the first of them.
+    """
+    if not window:
+        return np.zeros(np.shape(times), int)
+    return np.floor((np.maximum(times - start, 0) + ROUNDING) / window).astype(int)
 
 
 def _join(parts):
@@ -113,10 +139,31 @@ class _Misses:
         return {key: values[missed] for key, values in pulses.items() if key != HIT}
 
 
-class _Poses:
-    """The trajectory of a leg as poses at any time."""
+def _find_mount(reader, name, frame):
+    """Returns where the frame of points sits on the platform, 4 x 4."""
+    mount = IDENTITY
+    if frame == "sensor":
+        legs = [leg for leg in reader.summary["legs"] if name in {f["name"] for f in leg["files"]}]
+        mount = legs[0].get("mount")
+        if mount is None:
+            raise FormatError(
+                f"{reader.folder / SUMMARY_NAME}: does not have the mount of the scanner, which "
+                "gives the frame of the sensor; run the survey again, or give --frame platform"
+            )
+    return pose_of(mount["position_m"], matrix_of(mount["orientation"]) @ FORWARD_LEFT_UP)
 
-    def __init__(self, reader, name):
+
+def pose_of(place, turn):
+    """Returns a pose as a matrix of 4 x 4."""
+    pose = np.eye(4)
+    pose[:3, :3], pose[:3, 3] = turn, place
+    return pose
+
+
+class _Poses:
+    """The trajectory of a leg as poses at any time; mount: of the frame on the body, 4 x 4."""
+
+    def __init__(self, reader, name, mount):
         trajectory = reader.trajectory(name)
         if trajectory is None:
             raise FormatError(
@@ -125,13 +172,19 @@ class _Poses:
             )
         self._times, self._places, self._turns = (np.asarray(each) for each in trajectory)
         self.start = float(self._times[0])
+        self._mount = mount
 
     def at(self, time):
+        """Returns the pose of the frame of points."""
+        return self._of_body(time) @ self._mount
+
+    def of_platform(self, time):
+        """Returns the pose of the platform: x forward, y left, z up."""
+        return self._of_body(time) @ pose_of(np.zeros(3), FORWARD_LEFT_UP)
+
+    def _of_body(self, time):
         place = [np.interp(time, self._times, self._places[:, axis]) for axis in range(3)]
-        pose = np.eye(4)
-        pose[:3, :3] = _matrix(self._turn(time)) @ FORWARD_LEFT_UP
-        pose[:3, 3] = place
-        return pose
+        return pose_of(place, matrix_of(self._turn(time)))
 
     def _turn(self, time):
         """Returns the unit quaternion, by spherical interpolation."""
@@ -147,15 +200,5 @@ class _Poses:
         return (np.sin((1 - share) * angle) * a + np.sin(share * angle) * b) / np.sin(angle)
 
 
-# Axes of the frame of a scan in the frame of the body: x right, y forward, z up.
+# Axes of the frame of a scan in the frame of the body or scanner: x right, y forward, z up.
 FORWARD_LEFT_UP = np.array([[0.0, -1.0, 0.0], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0]])
-
-
-def _matrix(turn):
-    """Returns the rotation matrix of a unit quaternion w, x, y, z."""
-    w, x, y, z = turn
-    return np.array([
-        [1 - 2 * (y * y + z * z), 2 * (x * y - w * z), 2 * (x * z + w * y)],
-        [2 * (x * y + w * z), 1 - 2 * (x * x + z * z), 2 * (y * z - w * x)],
-        [2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y)],
-    ])  # fmt: skip

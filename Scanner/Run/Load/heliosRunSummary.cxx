@@ -47,6 +47,35 @@ Json::Value DescribeFiles(const LegProgress& progress)
   return files;
 }
 
+/// Returns where the scanner sits on a platform: shift [m] and unit quaternion w, x, y, z.
+Json::Value DescribeMount(const Pose& mount)
+{
+  Json::Value described;
+  for (int i = 0; i < 3; ++i)
+  {
+    described["position_m"].append(mount.Position[i]);
+  }
+  for (int i = 0; i < 4; ++i)
+  {
+    described["orientation"].append(mount.Orientation[i]);
+  }
+  return described;
+}
+
+/// Returns the carriers of the parts that are mounted on others, by name; null: there are none.
+Json::Value DescribeCarriers(const SceneData& scene)
+{
+  Json::Value carriers;
+  for (const PartData& part : scene.Parts)
+  {
+    if (!part.Motion.Mount.empty())
+    {
+      carriers[part.Name] = part.Motion.Mount;
+    }
+  }
+  return carriers;
+}
+
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -69,10 +98,16 @@ Json::Value MakeSummary(const Json::Value& fingerprint, const RunJournal& journa
     leg["start_s"] = plan.StartTime;
     leg["duration_s"] = plan.Duration;
     leg["files"] = DescribeFiles(progress);
+    leg["mount"] = DescribeMount(runner.GetSurvey().GetPlatform(plan.Leg).Mount);
     summary["legs"].append(leg);
     timings["legs_s"].append(progress.Seconds);
     seconds += progress.Seconds;
     before = progress.Counts;
+  }
+  const Json::Value carriers = DescribeCarriers(runner.GetSurvey().Scene);
+  if (!carriers.isNull())
+  {
+    summary["carriers"] = carriers;
   }
   summary["totals"] = ToJson(runner.GetCounts());
   if (!accuracy.isNull())

@@ -17,8 +17,9 @@ class RunJournal;
 
 /**
  * Returns the fingerprint of a finished run and its results: "rayCaster", "sampling", "legs"
- * (times, counts, files), "totals", "accuracy" unless it is null, "checksum". They are equal for
- * runs with equal fingerprints. All that depends on the host is in "timings": "load_s", "run_s",
+ * (times, counts, files, mount of the scanner), "carriers" of parts that are mounted on others,
+ * "totals", "accuracy" unless it is null, "checksum". They are equal for runs with equal
+ * fingerprints. All that depends on the host is in "timings": "load_s", "run_s",
  * "legs_s", "accuracy_s", "threads".
  */
 Json::Value MakeSummary(const Json::Value& fingerprint, const RunJournal& journal,

@@ -99,6 +99,26 @@ TEST_CASE("SpinningChannels: firing times", "[SpinningChannels]")
   CHECK(head->GetDelay(5) == Approx(-5.0 / head->GetPulseFrequency()).epsilon(1e-15));
 }
 
+TEST_CASE("SpinningChannels: beams that fire at once have equal times", "[SpinningChannels]")
+{
+  vtkNew<vtkHeliosSpinningChannels> head;
+  SetUp(head);
+  head->SetPulseFrequency(1310720.0 / 3.0);
+  for (int c = 0; c < 16; ++c)
+  {
+    CHECK(head->GetElapsedTime(c) == c / head->GetPulseFrequency());
+    head->SetFiringTime(c, c < 8 ? 0.0 : 1e-6);
+  }
+  for (vtkIdType i = 0; i < 1600000; i += 16)
+  {
+    const double first = head->GetElapsedTime(i);
+    for (vtkIdType c = 1; c < 16; ++c)
+    {
+      REQUIRE(head->GetElapsedTime(i + c) == (c < 8 ? first : first + 1e-6));
+    }
+  }
+}
+
 TEST_CASE("SpinningChannels: no drift after a day", "[SpinningChannels]")
 {
   vtkNew<vtkHeliosSpinningChannels> head;
