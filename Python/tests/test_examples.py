@@ -120,6 +120,17 @@ def test_river_section(tmp_path):
     assert (tmp_path / "section.png").stat().st_size > 20_000
 
 
+def test_street_traffic(tmp_path, capsys):
+    pytest.importorskip("matplotlib")
+    labels, boxes = load("street_traffic").main(tmp_path, pulse_step=8)
+    said = capsys.readouterr().out
+    assert {10, 40, 48, 50, 80, 252, 253, 254} <= set(labels.tolist())
+    assert sum(box.moves for box in boxes) == 5 == said.count(" echoes, ")
+    assert re.search(r"car1: \d+ echoes, 4.20 x 1.76 x 1.46 m", said)
+    for name in ("street-velocity.png", "street-instances.png"):
+        assert (tmp_path / name).stat().st_size > 10_000
+
+
 def test_street_ghosts(tmp_path, capsys):
     example = load("street_ghosts")
     survey = vtkhelios.read_survey(example.write_survey(tmp_path / "street"))

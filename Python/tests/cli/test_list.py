@@ -29,6 +29,7 @@ def test_scanners_are_those_of_info(capsys):
     text = say(capsys, "list", "scanners", "riegl", "terrestrial")
     assert text == say(capsys, "info", "--scanners", "riegl terrestrial")
     assert "scanners.xml#riegl_vz400 " in text
+    assert "vtkhelios instrument writes the scanner of an Ouster sensor from its metadata" in text
     facts = json.loads(say(capsys, "list", "scanners", "--json"))["scanners"]
     assert len(facts) == len(find_scanners())
 

@@ -25,14 +25,14 @@ def street(tmp_path_factory):
         noise=False, sub_rays=1, without="divergence",
     )  # fmt: skip
     return types.SimpleNamespace(
-        folder=folder, file=folder / "street.xml", run=report["folder"], scene=survey.scene
+        folder=folder, file=folder / "street.xml", run=report["folder"], survey=survey
     )
 
 
 @pytest.fixture(scope="session")
 def content(street):
     with formats.open_reader(street.run) as reader:
-        return Content.of(reader, scene=street.scene)
+        return Content.of(reader, survey=street.survey)
 
 
 @pytest.fixture(scope="session")

@@ -76,7 +76,7 @@ def test_points_are_in_the_boxes_of_their_objects(street, content):
                 assert outside.max() < slack, name
                 assert box.points == len(points) and box.moves == (SPEEDS[name] > 0)
                 found.add(name)
-    assert found == set(SPEEDS)
+    assert SPEEDS.keys() - found <= {"bicycle2", "bicycle3", "bicycle4"}  # one behind the other
 
 
 def test_kitti_objects(exports, street, content):

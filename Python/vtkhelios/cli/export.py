@@ -134,8 +134,8 @@ def export(arguments, messages):
         task = Task("exporting", reader.count)
         set_outcome(f"{output} was not written")
         with new_folder(output) as new:
-            scene = read_scene(arguments.survey, reader) if arguments.survey else None
-            content = learning.Content.of(reader, labels, scene)
+            survey = arguments.survey and find_survey(arguments.survey, reader)
+            content = learning.Content.of(reader, labels, survey)
             writer = learning.WRITERS[arguments.layout](new, content)
             with make_progress(task, messages, quiet=arguments.quiet):
                 frames = learning.read_scans(reader, arguments.window, arguments.frame)
@@ -155,14 +155,14 @@ def export(arguments, messages):
     return 0
 
 
-def read_scene(path, reader):
-    """Returns the mesh of the survey of a run, in its epoch."""
-    survey = read_survey(path)
+def find_survey(path, reader):
+    """Returns the survey of a run, in its epoch."""
     learning.check_inputs(pathlib.Path(path).parent, reader.summary)
+    survey = read_survey(path)
     epoch = find_epoch(reader.folder)
     if epoch > 0:
         survey.source_of({"epoch": epoch})
-    return survey.scene
+    return survey
 
 
 def counted_scans(scans, task):

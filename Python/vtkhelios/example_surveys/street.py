@@ -31,6 +31,7 @@ def write_geometry(folder):
     _make_sidewalks().write(folder / "sidewalks.obj")
     make_houses().write(folder / "houses.obj")
     _make_car().write(folder / "car.obj")
+    _make_parked_car().write(folder / "parked.obj")
     _make_wheel("metal", *WHEEL).write(folder / "wheel.obj")
     _make_bicyclist().write(folder / "bicyclist.obj")
     _make_bicycle().write(folder / "bicycle.obj")
@@ -58,7 +59,7 @@ def _write_trajectory(path, x, y, z, heading, speed):
 def _place_things():
     """Yields the rows of things at rest: model, id, x, y, z, yaw anticlockwise."""
     for number, (x, side) in enumerate(PARKED, 3):
-        yield "car", f"car{number}", x, side * (KERB - 1.0), 0.0, -90.0 * side + 2.0 * side
+        yield "parked", f"car{number}", x, side * (KERB - 1.0), 0.0, -90.0 * side + 2.0 * side
     for number, x in enumerate((6.5, 7.2, 7.9), 2):
         yield "bicycle", f"bicycle{number}", x, -5.2, WALK, 8.0
     for number, x in enumerate(np.arange(-30.0, 31.0, 15.0).tolist(), 1):
@@ -90,6 +91,15 @@ def _make_car():
     car.add_box("metal", (0.0, 0.0, 0.0), (-0.88, -2.1, 0.25), (0.88, 2.1, 0.85))
     _add_frustum(car, "glass", (0.82, -1.75, 0.75, 0.85), (0.62, -1.35, 0.15, 1.4))
     car.add_box("metal", (0.0, 0.0, 0.0), (-0.62, -1.35, 1.4), (0.62, 0.15, 1.46))
+    return car
+
+
+def _make_parked_car():
+    """A car with its wheels."""
+    car = _make_car()
+    for x in (-0.75, 0.75):
+        for y in (-1.3, 1.3):
+            _add_wheel(car, "metal", (x, y, WHEEL[0]), *WHEEL)
     return car
 
 

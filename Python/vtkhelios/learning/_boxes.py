@@ -38,19 +38,19 @@ class Box:
 
 
 class Boxes:
-    """The objects of a scene (vtkPolyData) as a survey starts; parts: see Parts."""
+    """The objects of a scene (vtkPolyData) at rest; parts: see Parts; moves: whether any of them does."""
 
-    def __init__(self, scene, parts, labels):
-        self._parts = parts
+    def __init__(self, scene, parts, labels, moves=False):
+        self._parts, self._moves = parts, moves
         self._corners, self._centroids = {}, {}
-        points = vtk_to_numpy(scene.GetPoints().GetData()).astype(float)
-        triangles = vtk_to_numpy(scene.GetPolys().GetConnectivityArray()).reshape(-1, 3)
-        ids = vtk_to_numpy(scene.GetCellData().GetArray(PART_IDS))
         names = Header(scene.GetFieldData()).texts(PART_NAME)
         if names[: len(parts.names)] != parts.names:
             raise FormatError(
                 f"the scene has {_first_unlike(names, parts.names)}; give the survey of the run"
             )
+        points = vtk_to_numpy(scene.GetPoints().GetData()).astype(float)
+        triangles = vtk_to_numpy(scene.GetPolys().GetConnectivityArray()).reshape(-1, 3)
+        ids = vtk_to_numpy(scene.GetCellData().GetArray(PART_IDS))
         self._labels = {
             number: label
             for number in np.unique(ids).tolist()
@@ -69,6 +69,11 @@ class Boxes:
         if ids is None:
             raise FormatError(
                 "boxes need PartIds, which the points do not have; run the survey again"
+            )
+        if self._moves and PART_POSITION not in arrays:
+            raise FormatError(
+                f"boxes of parts that move need {PART_POSITION}, which the points do not have; run the "
+                "survey again with --format vtp --motion"
             )
         found = []
         for number in sorted(self._labels.keys() & set(np.unique(roots).tolist())):

@@ -24,12 +24,12 @@ class Content:
     boxes: Boxes | None = None
 
     @classmethod
-    def of(cls, reader, labels=None, scene=None):
-        """Returns that of a RunReader; scene: ``survey.scene``, for boxes of objects."""
+    def of(cls, reader, labels=None, survey=None):
+        """Returns that of a RunReader; survey: of the run (vtkhelios.Survey), for boxes of objects."""
         labels = labels or Labels()
         scale = IntensityScale.measure(reader)  # which also reads the names of all files
         parts = Parts(reader.header.part_names, reader.summary.get("carriers"))
-        boxes = Boxes(scene, parts, labels) if scene is not None else None
+        boxes = survey and Boxes(survey.scene, parts, labels, any(map(_moves, survey.parts)))
         return cls(labels, reader.header, parts, scale, boxes)
 
     def find_labels(self, arrays):
@@ -57,6 +57,11 @@ class Content:
                 "of the run"
             )
         return self.boxes.find(arrays)
+
+
+def _moves(part):
+    """Returns whether a part of a survey moves, or is carried."""
+    return any(part[name] for name in ("trajectory/file", "dmotion[0]/id", "mount"))
 
 
 def yaw_of(axes):

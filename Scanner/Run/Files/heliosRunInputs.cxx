@@ -36,6 +36,7 @@ std::set<std::string> GetNamedFiles(const SurveyData& survey, const RunSettings&
     files.insert(part.Files.begin(), part.Files.end());
     files.insert(part.Material.File);
     files.insert(part.Vegetation.LeafTable);
+    files.insert(part.Motion.Track.File);
   }
   files.insert(survey.FileName);
   for (const ScannerData& scanner : survey.Scanners)

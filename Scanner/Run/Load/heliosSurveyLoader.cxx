@@ -39,6 +39,7 @@ void AddFiles(const PartData& part, InputFiles& files)
   std::for_each(part.Files.begin(), part.Files.end(), add);
   add(part.Material.File);
   add(part.Vegetation.LeafTable);
+  add(part.Motion.Track.File);
   for (const SwapData& swap : part.Swaps)
   {
     AddFiles(swap.Part, files);

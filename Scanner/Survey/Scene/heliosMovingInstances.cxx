@@ -362,10 +362,10 @@ MovingInstances::MovingInstances(
   for (std::size_t i = 0; i < motions->Parts.size(); ++i)
   {
     MovingPartData& part = motions->Parts[i];
-    Vec3 centroid;
-    split.FindCentroid(i, centroid);
-    part.Motion =
-      part.Data.HasOwn() ? std::make_shared<PartMotion>(part.Data.Sequences, centroid) : nullptr;
+    split.FindCentroid(i, part.Centroid);
+    part.Motion = part.Data.HasOwn()
+      ? std::make_shared<PartMotion>(part.Data.Sequences, part.Centroid)
+      : nullptr;
   }
   if (this->ReadTracks(scene, convention, *motions))
   {

@@ -40,9 +40,10 @@ Similarity GetMoved(const Similarity& atRest, const MotionMap& map)
 class PartTrack : public InstanceTrack
 {
 public:
-  PartTrack(std::unique_ptr<PartPath> path, const Similarity& atRest)
+  PartTrack(std::unique_ptr<PartPath> path, const Similarity& atRest, const Vec3& centroid)
     : Path(std::move(path))
     , AtRest(atRest)
+    , Centroid(centroid)
   {
   }
 
@@ -99,6 +100,8 @@ public:
     pose.Position = this->Map.Shift;
     if (this->Map.Turns)
     {
+      const Vec3 arm = this->Centroid - this->Map.Center;
+      pose.Position = this->Map.Shift + (this->Map.Linear * arm - arm);
       double m[3][3];
       std::copy_n(&this->Map.Linear.M[0][0], 9, &m[0][0]);
       pose.Orientation.FromMatrix3x3(m);
@@ -110,6 +113,7 @@ public:
 private:
   std::unique_ptr<PartPath> Path;
   Similarity AtRest;
+  Vec3 Centroid; // of the part at rest
   MotionMap Map;
 };
 
@@ -132,7 +136,8 @@ int SceneMotions::GetNumberOfTracks() const
 std::unique_ptr<InstanceTrack> SceneMotions::MakeTrack(int motion) const
 {
   const Instance& instance = this->Shared->Instances[static_cast<std::size_t>(motion)];
-  return std::make_unique<PartTrack>(this->MakePath(instance.Part), instance.AtRest);
+  return std::make_unique<PartTrack>(
+    this->MakePath(instance.Part), instance.AtRest, this->Shared->Parts[instance.Part].Centroid);
 }
 
 //------------------------------------------------------------------------------

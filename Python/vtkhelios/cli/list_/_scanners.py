@@ -8,7 +8,7 @@ COLUMNS = ("scanner", "name", "kind", "kHz", "field", "mrad", "source")
 LEGEND = (
     "kHz: pulses per second of a channel; field: the whole angle that is scanned [deg]; mrad: full beam "
     "divergence at 1/e2. A survey names a scanner as in the first column; Docs/instruments.md has the "
-    "source of each number"
+    "source of each number. vtkhelios instrument writes the scanner of an Ouster sensor from its metadata"
 )
 
 
@@ -16,7 +16,8 @@ def explain_none(text):
     """The error if nothing is found."""
     return (
         f'"{text}": no scanner has all these words in its id, name, maker, use or optics; '
-        "vtkhelios list scanners lists all"
+        "vtkhelios list scanners lists all; vtkhelios instrument writes one from the metadata of an Ouster "
+        "sensor"
     )
 
 
