@@ -77,7 +77,7 @@ def test_every_instrument_is_complete(scanner):
     field = set() if scanner.optics in ("risley", "spinning") else {"scanAngleMax_deg"}
     assert needed | field | {"rangeMin_m"} <= set(scanner.numbers)
     assert scanner.optics in ("line", "risley") or "scanFreqMax_Hz" in scanner.numbers
-    assert 1e-5 <= scanner.beam_divergence <= 1e-2
+    assert 1e-5 <= scanner.beam_divergence <= 1.1e-2
     assert scanner.use == "spaceborne" or scanner.beam_divergence >= 1e-4
 
 

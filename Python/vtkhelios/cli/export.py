@@ -157,7 +157,7 @@ def export(arguments, messages):
 
 def find_survey(path, reader):
     """Returns the survey of a run, in its epoch."""
-    learning.check_inputs(pathlib.Path(path).parent, reader.summary)
+    learning.check_inputs(path, reader.summary)
     survey = read_survey(path)
     epoch = find_epoch(reader.folder)
     if epoch > 0:

@@ -99,12 +99,17 @@ class Boxes:
         return Box(number, label, center, turn @ axes, high - low, moves, count)
 
 
-def check_inputs(folder, summary):
-    """Raises FormatError if a file of a run, by its summary, has changed since; folder: that of its
-    survey."""
-    for entry in summary.get("inputs", []):
-        file = pathlib.Path(folder, entry["file"])
-        if file.is_file() and hashlib.sha256(file.read_bytes()).hexdigest() != entry["sha256"]:
+def check_inputs(survey, summary):
+    """Raises FormatError unless a survey file is that of a run, by its summary, and the files beside
+    it are as they were."""
+    survey = pathlib.Path(survey)
+    inputs = {pathlib.Path(each["file"]): each["sha256"] for each in summary.get("inputs", [])}
+    base = next((path.parent for path in inputs if path.name == survey.name), None)
+    if base is None:
+        raise FormatError(f"{survey}: is not the survey of the run; give that one")
+    for path, digest in inputs.items():
+        file = survey.parent / path.relative_to(base) if path.is_relative_to(base) else path
+        if file.is_file() and hashlib.sha256(file.read_bytes()).hexdigest() != digest:
             raise FormatError(f"{file}: has changed since the run; run the survey again")
 
 
