@@ -30,6 +30,7 @@ NAME_HEADERS = (
     "Filters/Core/vtkHeliosFoliageArrayNames.h",
     "Filters/Core/Coordinates/vtkHeliosPointArrayNames.h",
     "Filters/PCL/vtkHeliosPCLArrayNames.h",
+    "Scanner/Run/Batch/vtkHeliosBatchArrayNames.h",
 )
 
 HEAD = """\

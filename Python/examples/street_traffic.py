@@ -20,9 +20,26 @@ from vtkhelios import formats, learning
 from vtkhelios.array_names import RADIAL_VELOCITY
 from vtkhelios.example_surveys import write_example
 
-SCAN = 4  # of ten
-EYE, PITCH, FOCUS = np.array([-16.0, 3.5, 11.0]), -24.0, 1.15  # in the frame of the sensor [m], [deg]
-EDGES = [(0, 1), (0, 2), (1, 3), (2, 3), (4, 5), (4, 6), (5, 7), (6, 7), (0, 4), (1, 5), (2, 6), (3, 7)]
+SCAN = 4  # the fifth of ten
+EYE, PITCH, FOCUS = (
+    np.array([-16.0, 3.5, 11.0]),
+    -24.0,
+    1.15,
+)  # in the frame of the sensor [m], [deg]
+EDGES = [
+    (0, 1),
+    (0, 2),
+    (1, 3),
+    (2, 3),
+    (4, 5),
+    (4, 6),
+    (5, 7),
+    (6, 7),
+    (0, 4),
+    (1, 5),
+    (2, 6),
+    (3, 7),
+]
 WALLS = (40, 48, 50)  # labels of what is grey: road, sidewalks, houses
 
 

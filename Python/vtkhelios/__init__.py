@@ -20,6 +20,8 @@ read()
     the points of a file as a Cloud.
 read_survey(), make_survey(), scan()
     surveys from files and of scenes in memory, which run in memory (Survey).
+Sensor, scan_many()
+    many scans of small scenes by one scanner (Scans).
 plan()
     positions to scan a scene from (Plan).
 compare()
@@ -76,6 +78,7 @@ _HOMES = {
     "plans.plan": ("Plan", "plan"),
     "scenes.scene": ("Scene",),
     "surveys.scanning": ("make_survey", "scan"),
+    "surveys.batch": ("Sensor", "scan_many"),
     "surveys.survey": ("Survey", "read_survey"),
 }
 _HOME = {name: module for module, names in _HOMES.items() for name in names}

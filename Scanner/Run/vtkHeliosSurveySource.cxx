@@ -4,6 +4,7 @@
 
 #include "heliosEchoComparison.h"
 #include "heliosLegOutput.h"
+#include "heliosLegScanner.h"
 #include "heliosLoadedSurvey.h"
 #include "heliosMessages.h"
 #include "heliosPathCell.h"
@@ -14,6 +15,7 @@
 #include "vtkHeliosEchoComparison.h"
 #include "vtkHeliosRayCaster.h"
 #include "vtkHeliosRunOptions.h"
+#include "vtkHeliosScanner.h"
 #include "vtkHeliosSurvey.h"
 
 #include <vtkAlgorithmOutput.h>
@@ -58,6 +60,8 @@ public:
 
   /// Loads all changes and plans the legs; false after an error or an abort.
   bool Prepare();
+
+  helios::Messages& GetLog() { return this->Log; }
 
   /// Computes the fingerprint of the prepared run, as JSON.
   helios::Status ComputeFingerprint(std::string& text);
@@ -280,6 +284,24 @@ vtkHeliosSurveySource::Internals& vtkHeliosSurveySource::GetInternals()
 helios::LegRunner* vtkHeliosSurveySource::GetLegs() const
 {
   return this->Loaded ? this->Loaded->Survey.GetLegs() : nullptr;
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkHeliosScanner> vtkHeliosSurveySource::MakeScanner() const
+{
+  const helios::LegPlan* plan = this->Loaded ? this->Loaded->Survey.FindLeg(0) : nullptr;
+  if (!plan)
+  {
+    return nullptr;
+  }
+  helios::RunSettings settings = this->Loaded->Survey.GetSettings();
+  settings.RayCaster = settings.RayCaster
+    ? vtkSmartPointer<vtkHeliosRayCaster>::Take(settings.RayCaster->NewInstance())
+    : nullptr;
+  helios::LegScanner legs(
+    this->GetLoader().GetSurvey(), this->GetLoader().GetScene(), settings, this->Loaded->GetLog());
+  legs.SetUp(*plan);
+  return legs.GetNumberOfChannels() == 1 ? legs.ReleaseChannel(0) : nullptr;
 }
 
 //------------------------------------------------------------------------------

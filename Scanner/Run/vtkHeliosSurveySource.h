@@ -53,6 +53,7 @@
 
 class vtkHeliosEchoComparison;
 class vtkHeliosRunOptions;
+class vtkHeliosScanner;
 class vtkHeliosSurvey;
 class vtkImageData;
 
@@ -186,6 +187,10 @@ public:
   bool LoadScene(
     const std::function<bool(const std::string& step)>& onStep, helios::RunSettings& settings);
   const helios::SurveyLoader& GetLoader() const;
+
+  /// Returns a new scanner, set up as for leg 0 but for scene and trajectory, with a ray caster of
+  /// its own; null if the leg fires no pulses or has several channels. After Load().
+  vtkSmartPointer<vtkHeliosScanner> MakeScanner() const;
 #endif
 
   /**

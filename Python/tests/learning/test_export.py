@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from vtkhelios import cli, formats
-from vtkhelios.learning import Content, Labels, _s3dis, _scans
+from vtkhelios.learning import Content, _s3dis, _scans
 from vtkhelios.learning._parts import Parts
-from vtkhelios.learning._rotation import matrix_of, quaternion_of
+from vtkhelios.core.rotation import matrix_of, quaternion_of
 
 WINDOW = 0.25  # s; legs last 1 s, of which a quarter has pulses
 

@@ -44,7 +44,9 @@ def test_labels_of_parts_go_before_materials():
 def test_given_labels_extend_the_defaults(tmp_path):
     """Fault F51: a file with one class set all others to 0."""
     path = tmp_path / "labels.json"
-    path.write_text(json.dumps({"classes": {"64": 99}, "parts": {"stop": 81, "7": 44, "carpet": 9}}))
+    path.write_text(
+        json.dumps({"classes": {"64": 99}, "parts": {"stop": 81, "7": 44, "carpet": 9}})
+    )
     labels = Labels.read(path)
     assert find(labels, ClassificationIds=[64, 2, 6]) == [99, 72, 50]
     assert find(labels, PartIds=[6, 7, 3, 1, 0]) == [81, 44, 9, 10, 40]
@@ -53,7 +55,7 @@ def test_given_labels_extend_the_defaults(tmp_path):
 
 
 def test_what_moves_has_its_own_label():
-    """The fastest point of an object counts: the tread of a wheel rests on the road."""
+    """The fastest point of an object counts: the lowest point of a wheel rests on the road."""
     arrays = {
         "points": np.zeros((5, 3)), "PartIds": np.array([1, 2, 2, 4, 0]),
         "PartVelocity": np.array([[8.0, 0, 0], [0, 0, 0], [16, 0, 0], [0, 0, 0], [0, 0, 0]]),

@@ -9,7 +9,7 @@ import pytest
 
 from vtkhelios import cli, formats
 from vtkhelios.learning import read_scans
-from vtkhelios.learning._rotation import matrix_of
+from vtkhelios.core.rotation import matrix_of
 
 MOUNT = 1.8  # height of the sensor above the road [m]
 SCANS = 10
@@ -62,7 +62,7 @@ def test_labels_and_instances_are_of_objects(exports, content):
 
 
 def test_points_are_in_the_boxes_of_their_objects(street, content):
-    """Those of what moves: within its way between its echoes; legs swing out of boxes at rest."""
+    """Points of what moves: within its way between its echoes; legs swing out of boxes at rest."""
     found = set()
     with formats.open_reader(street.run) as reader:
         for scan in read_scans(reader, 0.1):
@@ -178,7 +178,9 @@ def test_rosbag_reads_the_bag(exports):
     store = typesys.get_typestore(typesys.Stores.ROS2_HUMBLE)
     with rosbag2.Reader(exports("rosbag")) as bag:
         topics = {each.topic: (each.msgtype, each.msgcount) for each in bag.connections}
-        messages = [(c.topic, store.deserialize_cdr(raw, c.msgtype)) for c, _, raw in bag.messages()]
+        messages = [
+            (c.topic, store.deserialize_cdr(raw, c.msgtype)) for c, _, raw in bag.messages()
+        ]
     cloud = "sensor_msgs/msg/PointCloud2"
     assert topics == {
         "/points": (cloud, SCANS), "/misses": (cloud, SCANS),

@@ -15,7 +15,9 @@ def test_without_pytorch_the_error_says_what_to_install(monkeypatch):
     modules = __import__("sys").modules
     monkeypatch.delitem(modules, "vtkhelios.learning.torch_data", raising=False)
     monkeypatch.setitem(modules, "torch", None)
-    with pytest.raises(ImportError, match="data sets of PyTorch need the package torch.*pip install"):
+    with pytest.raises(
+        ImportError, match="data sets of PyTorch need the package torch.*pip install"
+    ):
         importlib.import_module("vtkhelios.learning.torch_data")
 
 

@@ -59,7 +59,9 @@ examples:
 OUT appears when it is complete.
 
 exit codes: 0 done, 1 failed (the reason is on standard error), 2 wrong usage, 130 interrupted.
-""".replace("{indent}", " " * 16)
+""".replace(
+    "{indent}", " " * 16
+)
 
 
 def window(text):

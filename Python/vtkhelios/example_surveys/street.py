@@ -9,9 +9,9 @@ from ._tables import write_table
 from .mls import KERB, LENGTH, make_houses
 
 WALK = 0.12  # height of the sidewalks [m]
-END = 1.5  # of all trajectories [s]
-WHEEL = (0.32, 0.11)  # of a car: radius, half its width [m]
-RIM = (0.34, 0.02)  # of a bicycle
+END = 1.5  # end of all trajectories [s]
+WHEEL = (0.32, 0.11)  # wheel of a car: radius, half its width [m]
+RIM = (0.34, 0.02)  # wheel of a bicycle
 # x, y, z [m] at the start, heading (yaw clockwise from north) [deg], speed [m/s]
 MOVERS = {
     "trajectory": (-30.0, -1.7, 0.0, 90.0, 7.0),  # the car with the scanner

@@ -14,7 +14,7 @@ from ..array_names import (
 )  # fmt: skip
 from ..formats import FormatError, Header
 from ._parts import SLOWEST
-from ._rotation import matrix_of
+from ..core.rotation import matrix_of
 
 OBJECTS = {10, 11, 13, 15, 16, 18, 20, 30, 31, 32}  # labels that have boxes: vehicles and persons
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""What layouts write of points besides their coordinates."""
+"""Labels, objects and intensities of points, which layouts write besides their coordinates."""
 
 import dataclasses
 

@@ -32,7 +32,7 @@ PARTS = {
     "road": 40, "parking": 44, "sidewalk": 48, "pavement": 48, "tree": 70, "bush": 70, "shrub": 70,
     "hedge": 70, "vegetation": 70,
 }  # fmt: skip
-# Of parts that move, in place of the label at rest.
+# Labels of parts that move, by the label at rest.
 MOVING = {10: 252, 31: 253, 30: 254, 32: 255, 16: 256, 13: 257, 18: 258, 20: 259}
 VEGETATION = 70  # parts of this label keep the labels of their materials
 TABLES = ("classes", "materials", "parts", "moving")
@@ -75,9 +75,7 @@ class Labels:
                 f"{path}: cannot be read: {error.strerror}; check its name"
             ) from error
         except JsonError as error:
-            raise FormatError(
-                f"{path}: {error}; give {EXAMPLE}, labels from 0 to 65535"
-            ) from error
+            raise FormatError(f"{path}: {error}; give {EXAMPLE}, labels from 0 to 65535") from error
 
     def find(self, arrays, fields, parts=None):
         """Returns the label of each point at rest, uint16; 0: unlabelled. fields has the names of

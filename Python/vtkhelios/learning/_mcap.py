@@ -18,7 +18,7 @@ from ..array_names import CHANNEL_IDS, GPS_TIME, RANGE, RETURN_NUMBER
 from ..core.files import naming
 from ..exchange import load
 from ..vtkHeliosFiltersCore import vtkHeliosGpsTime
-from ._rotation import quaternion_of
+from ..core.rotation import quaternion_of
 
 POINTS = np.dtype([
     ("x", "<f4"), ("y", "<f4"), ("z", "<f4"), ("intensity", "<f4"), ("t", "<f4"), ("range", "<f4"),
@@ -70,7 +70,9 @@ class McapWriter:
         data = bytes(self.store.serialize_cdr(message, kind))
         time = self._stamp(start)
         self.counts[topic], self.kinds[topic] = self.counts.get(topic, 0) + 1, kind
-        self.span = (min(time, self.span[0]), max(time, self.span[1])) if self.span else (time, time)
+        self.span = (
+            (min(time, self.span[0]), max(time, self.span[1])) if self.span else (time, time)
+        )
         self.writer.add_message(self.channels[topic], time, data, time, number)
 
     def _stamp(self, start):

@@ -21,7 +21,7 @@ from ..array_names import CHANNEL_IDS, GPS_TIME
 from ..core.files import write_whole
 from ..core.paths import to_vtk
 from ..vtkHeliosFiltersCore import vtkHeliosGpsTime
-from ._rotation import quaternion_of
+from ..core.rotation import quaternion_of
 from ._scans import FORWARD_LEFT_UP
 
 VERSION = "v1.0-vtkhelios"

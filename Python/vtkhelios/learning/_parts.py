@@ -8,7 +8,7 @@ from ..array_names import PART_IDS, PART_VELOCITY
 from ..formats import FormatError
 
 MAXIMUM_INSTANCES = 2**16 - 1
-SLOWEST = 0.01  # of what moves [m/s]
+SLOWEST = 0.01  # speed of what moves [m/s]
 
 
 class Parts:

@@ -10,10 +10,10 @@ import numpy as np
 from ..array_names import DIRECTION, GPS_TIME, HIT, PULSE_IDS
 from ..core.run_files import SUMMARY_NAME
 from ..formats import FormatError
-from ._rotation import matrix_of
+from ..core.rotation import matrix_of
 
 
-ROUNDING = 1e-9  # of times that are in order [s]
+ROUNDING = 1e-9  # tolerance of times that are in order [s]
 IDENTITY = {"position_m": [0.0] * 3, "orientation": [1.0, 0.0, 0.0, 0.0]}
 
 

@@ -22,6 +22,7 @@
 
 #include <vtkDataArray.h>
 #include <vtkDoubleArray.h>
+#include <vtkExecutive.h>
 #include <vtkFieldData.h>
 #include <vtkImageData.h>
 #include <vtkNew.h>
@@ -109,6 +110,17 @@ void LegScanner::SetUp(const LegPlan& plan)
   }
   this->SetTimeWindow(-VTK_DOUBLE_MAX, VTK_DOUBLE_MAX);
   this->SetPulseWindow(0, AllPulses);
+}
+
+//------------------------------------------------------------------------------
+vtkSmartPointer<vtkHeliosScanner> LegScanner::ReleaseChannel(std::size_t channel)
+{
+  vtkSmartPointer<vtkHeliosScanner> released = this->Channels[channel];
+  released->RemoveAllObservers();
+  released->GetExecutive()->RemoveAllObservers();
+  this->Channels.clear();
+  this->Scanner = None;
+  return released;
 }
 
 //------------------------------------------------------------------------------

@@ -44,6 +44,9 @@ public:
 
   std::size_t GetNumberOfChannels() const { return this->Channels.size(); }
 
+  /// Returns a channel that is not reported, nor changed later.
+  vtkSmartPointer<vtkHeliosScanner> ReleaseChannel(std::size_t channel);
+
   /// Sets the part [t0, t1) of the leg to run [s]; the whole leg after SetUp().
   void SetTimeWindow(double t0, double t1);
 

@@ -113,7 +113,7 @@ public:
 private:
   std::unique_ptr<PartPath> Path;
   Similarity AtRest;
-  Vec3 Centroid; // of the part at rest
+  Vec3 Centroid; // centroid of the part at rest
   MotionMap Map;
 };
 

@@ -25,7 +25,7 @@ struct MovingPartData
   std::shared_ptr<const PartMotion> Motion; ///< null: none of its own
   std::shared_ptr<const Trajectory> Track;  ///< null: it follows none
   std::size_t Carrier = None;               ///< number of the part that carries it
-  Vec3 Centroid{ 0.0, 0.0, 0.0 };           ///< of its area, at rest
+  Vec3 Centroid{ 0.0, 0.0, 0.0 };           ///< centroid of its area, at rest
 };
 
 /// The motions of instances: each belongs to a part, at its place at rest.

@@ -15,13 +15,18 @@ def matrix_of(turn):
     ])  # fmt: skip
 
 
-def quaternion_of(matrix):
-    """Returns the unit quaternion, w >= 0, of a rotation matrix: the eigenvector of Bar-Itzhack
-    (2000), which is always stable."""
-    (a, b, c), (d, e, f), (g, h, i) = matrix
+def quaternions_of(matrices):
+    """Returns the unit quaternions, w >= 0, of rotation matrices (n x 3 x 3): the eigenvectors of
+    Bar-Itzhack (2000), which are always stable."""
+    (a, b, c), (d, e, f), (g, h, i) = np.moveaxis(np.asarray(matrices, float), 0, -1)
     k = np.array([
         [a - e - i, d + b, g + c, h - f], [d + b, e - a - i, h + f, c - g],
         [g + c, h + f, i - a - e, d - b], [h - f, c - g, d - b, a + e + i],
     ]) / 3.0  # fmt: skip
-    x, y, z, w = np.linalg.eigh(k)[1][:, -1]
-    return [float(value) for value in (np.array([w, x, y, z]) if w >= 0 else -np.array([w, x, y, z]))]
+    turns = np.linalg.eigh(np.moveaxis(k, -1, 0))[1][:, [3, 0, 1, 2], -1]
+    return np.where(turns[:, :1] >= 0, turns, -turns)
+
+
+def quaternion_of(matrix):
+    """Returns the unit quaternion of a rotation matrix as a list."""
+    return quaternions_of(np.asarray(matrix)[np.newaxis])[0].tolist()
