@@ -216,6 +216,12 @@ PLANE_DEVIATION = "Plane.Deviation"  # [m], root mean square
 # Field data of a registered cloud: 16 numbers, row by row.
 REGISTRATION_MATRIX = "Registration.Matrix"
 
+# Poses of scans: point data.
+SCENE_IDS = "SceneIds"  # int64, from 0
+
+# Field data of the echoes of scans: int64, where each begins, and the end.
+OFFSETS = "Offsets"
+
 # Units of the arrays that have one.
 UNITS = {
     HEIGHTS: "m",
