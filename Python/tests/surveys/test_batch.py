@@ -9,7 +9,13 @@ import vtkhelios
 from vtkhelios import PipelineError, Scene
 
 SENSOR = "velodyne_vlp16"
-SHORT = {"arrays": ["Range", "Amplitude", "PulseIds"], "scan_frequency": 20, "duration": 0.01, "noise": False, "sub_rays": 1}
+SHORT = {
+    "arrays": ["Range", "Amplitude", "PulseIds"],
+    "scan_frequency": 20,
+    "duration": 0.01,
+    "noise": False,
+    "sub_rays": 1,
+}
 
 
 def make_scene(height):
@@ -114,10 +120,13 @@ def test_errors_name_scan_scene_and_pose(sensor):
     poses = np.zeros((2, 3))
     poses[1] = (4, np.nan, 0)
     with pytest.raises(
-        PipelineError, match=r"scan 1 \(scene 1, pose 4 nan 0, 1 0 0 0\): its position is not finite"
+        PipelineError,
+        match=r"scan 1 \(scene 1, pose 4 nan 0, 1 0 0 0\): its position is not finite",
     ):
         sensor.scan(scenes, poses)
-    with pytest.raises(PipelineError, match="scan 0 .*2 0 0 0.*is not a unit quaternion w, x, y, z"):
+    with pytest.raises(
+        PipelineError, match="scan 0 .*2 0 0 0.*is not a unit quaternion w, x, y, z"
+    ):
         sensor.scan(scenes[0], [0, 0, 0, 2, 0, 0, 0])
     with pytest.raises(PipelineError, match=r"scan 1 \(scene 2, .*there are only 2 scenes"):
         sensor.scan(scenes, np.zeros((2, 3)), scene_ids=[0, 2])

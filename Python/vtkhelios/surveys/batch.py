@@ -7,6 +7,7 @@
 >>> scans["Range"], scans.offsets
 """
 
+import functools
 import typing
 
 import numpy as np
@@ -46,17 +47,27 @@ class Scans:
 
     def __init__(self, data, pulses):
         self.data, self.pulses = data, pulses  #: the vtkPolyData; the pulses of a scan
-        self.offsets = vtk_to_numpy(data.GetFieldData().GetArray(OFFSETS))
-        points, arrays = data.GetPoints(), data.GetPointData()
-        self.arrays = {"points": vtk_to_numpy(points.GetData()) if points else np.zeros((0, 3))}
-        for index in range(arrays.GetNumberOfArrays()):
-            array = arrays.GetArray(index)
-            self.arrays[array.GetName()] = vtk_to_numpy(array)
 
-    @property
+    @functools.cached_property
+    def offsets(self):
+        """Where the echoes of each scan begin, and the end."""
+        return vtk_to_numpy(self.data.GetFieldData().GetArray(OFFSETS))
+
+    @functools.cached_property
     def points(self):
         """The coordinates of all echoes [m], n x 3."""
-        return self.arrays["points"]
+        points = self.data.GetPoints()
+        return vtk_to_numpy(points.GetData()) if points else np.zeros((0, 3))
+
+    @functools.cached_property
+    def arrays(self):
+        """All arrays by name, "points" among them."""
+        data = self.data.GetPointData()
+        names = map(data.GetArrayName, range(data.GetNumberOfArrays()))
+        return {
+            "points": self.points,
+            **{name: vtk_to_numpy(data.GetArray(name)) for name in names},
+        }
 
     def __len__(self):
         return len(self.offsets) - 1
@@ -102,6 +113,7 @@ class Sensor:
         self._batch.SetArrays("" if arrays is None else " ".join(arrays))
         self._batch.SetInputDataObject(1, vtkPolyData())
         self._scenes = self._given = None
+        self._pose = _make_poses((0, 0, 0), None)  # of a single scan
 
     def scan(self, scenes, poses, scene_ids=None, progress=None) -> Scans:
         """Scans scenes from poses; returns the echoes of all scans (Scans).
@@ -120,7 +132,7 @@ class Sensor:
         PipelineError with the number of the scan, its scene and pose, and the reason.
         """
         self._set_scenes(scenes)
-        self._batch.SetInputDataObject(1, _make_poses(poses, scene_ids))
+        self._set_poses(poses, scene_ids)
         with MessageLog() as log, Progress(progress) as watched:
             log.watch(self._batch)
             log.watch(self._source)
@@ -129,7 +141,7 @@ class Sensor:
         output, taken = self._batch.GetOutputDataObject(0), vtkPolyData()
         taken.ShallowCopy(output)
         output.ReleaseData()
-        if not taken.GetFieldData().GetArray(OFFSETS):
+        if not taken.GetFieldData().HasArray(OFFSETS):
             raise PipelineError(["the scans cannot be made, for a reason that was not reported"])
         return Scans(taken, self._batch.GetPulsesPerScan())
 
@@ -145,6 +157,20 @@ class Sensor:
         for scene in self._scenes:
             self._batch.AddInputDataObject(0, scene)
         self._given = given
+
+    def _set_poses(self, poses, scene_ids):
+        """Sets the poses; of one scan, as of a robot that steps, in place."""
+        values = np.asarray(poses, float)
+        if scene_ids is not None or values.shape not in ((3,), (7,)):
+            self._batch.SetInputDataObject(1, _make_poses(values, scene_ids))
+            return
+        x, y, z, *turn = values.tolist()
+        self._pose.GetPoints().SetPoint(0, x, y, z)
+        self._pose.GetPointData().GetArray(ORIENTATION).SetTuple4(
+            0, *(turn or (1.0, 0.0, 0.0, 0.0))
+        )
+        self._pose.Modified()
+        self._batch.SetInputDataObject(1, self._pose)
 
 
 def scan_many(scenes, poses, sensor, scene_ids=None, progress=None) -> Scans:

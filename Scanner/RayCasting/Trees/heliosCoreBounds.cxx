@@ -5,6 +5,7 @@
 #include "heliosTriangleMesh.h"
 
 #include <algorithm>
+#include <cstddef>
 #include <vector>
 
 namespace helios
@@ -23,9 +24,12 @@ void GetCoreBounds(const TriangleMesh& mesh, double bounds[6])
     {
       values.push_back(mesh.GetPoints()[3 * static_cast<vtkIdType>(mesh.GetCorners()[i]) + axis]);
     }
-    std::sort(values.begin(), values.end());
-    bounds[2 * axis] = values[values.size() / 1024];
-    bounds[2 * axis + 1] = values[values.size() - 1 - values.size() / 1024];
+    const auto low = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 1024);
+    const auto high = values.end() - 1 - (low - values.begin());
+    std::nth_element(values.begin(), low, values.end());
+    std::nth_element(low, high, values.end());
+    bounds[2 * axis] = *low;
+    bounds[2 * axis + 1] = *high;
     width = std::max(width, bounds[2 * axis + 1] - bounds[2 * axis]);
   }
   for (int axis = 0; axis < 3; ++axis)

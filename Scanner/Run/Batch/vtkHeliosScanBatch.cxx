@@ -167,16 +167,16 @@ int vtkHeliosScanBatch::FillInputPortInformation(int port, vtkInformation* info)
 /// Makes the scanners, unless they are there and the survey has not changed; false after an error.
 bool vtkHeliosScanBatch::Prepare(std::size_t workers)
 {
-  if (!this->Source || !this->Source->Load())
+  if (this->Source && !this->Workers.empty() && this->WorkersTime != this->Source->GetMTime())
+  {
+    this->Workers.clear();
+  }
+  if (!this->Source || (this->Workers.empty() && !this->Source->Load()))
   {
     vtkErrorMacro(<< "the batch has no sensor; set a Source that can be loaded");
     return false;
   }
-  if (this->WorkersTime != this->Source->GetMTime())
-  {
-    this->Workers.clear();
-    this->WorkersTime = this->Source->GetMTime();
-  }
+  this->WorkersTime = this->Source->GetMTime();
   while (this->Workers.size() < workers)
   {
     const auto scanner = this->Source->MakeScanner();
