@@ -35,10 +35,10 @@ def make_scene(seed, triangles):
     return vtkhelios.Scene(points, np.vstack([np.stack([a, b, c], 1), np.stack([a, c, d], 1)]))
 
 
-def measure(action):
-    """Returns the processor time and the time of an action [s]."""
+def measure(sensor, scenes, poses):
+    """Returns the processor time and the time of scans [s]."""
     used, begin = resource.getrusage(resource.RUSAGE_SELF), time.perf_counter()
-    action()
+    sensor.scan(scenes, poses)
     after = resource.getrusage(resource.RUSAGE_SELF)
     processor = after.ru_utime + after.ru_stime - used.ru_utime - used.ru_stime
     return processor, time.perf_counter() - begin
@@ -51,17 +51,15 @@ def main(scans=200, pulses=10_000, triangles=10_000):
     for words, options in (("adaptive", {}), ("one ray a pulse", {"sub_rays": 1})):
         sensor = vtkhelios.Sensor(SCANNER, scan_frequency=10, duration=pulses / RATE, **options)
         sensor.scan(scenes[0], poses)  # builds the trees
-        alone = measure(lambda: sensor.scan(scenes[0], poses))  # noqa: B023
-        many = measure(lambda: sensor.scan(scenes, poses))  # noqa: B023
+        alone = measure(sensor, scenes[0], poses)
+        many = measure(sensor, scenes, poses)
         print(
             f"{words}: {1e3 * alone[0] / scans:.2f} ms of processor time a scan in one scene, "
             f"{1e3 * many[0] / scans:.2f} ms in many scenes, {many[0] / alone[0]:.2f} times; "
             f"{alone[1]:.2f} s and {many[1]:.2f} s in all"
         )
     robot = vtkhelios.Sensor(SCANNER, scan_frequency=10, duration=16 / RATE, sub_rays=1)
-    steps = [
-        measure(lambda: robot.scan(scenes[0], pose)) for pose in poses for _ in range(5)
-    ]  # noqa: B023
+    steps = [measure(robot, scenes[0], pose) for pose in poses for _ in range(5)]
     print(f"a step of 16 pulses: {1e3 * statistics.median(wall for _, wall in steps):.3f} ms")
 
 

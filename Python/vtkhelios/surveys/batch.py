@@ -113,7 +113,7 @@ class Sensor:
         self._batch.SetArrays("" if arrays is None else " ".join(arrays))
         self._batch.SetInputDataObject(1, vtkPolyData())
         self._scenes = self._given = None
-        self._pose = _make_poses((0, 0, 0), None)  # of a single scan
+        self._pose = _make_poses((0, 0, 0), None)  # pose of a single scan
 
     def scan(self, scenes, poses, scene_ids=None, progress=None) -> Scans:
         """Scans scenes from poses; returns the echoes of all scans (Scans).

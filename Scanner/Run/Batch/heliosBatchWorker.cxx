@@ -33,7 +33,7 @@ BatchWorker::BatchWorker(vtkSmartPointer<vtkHeliosScanner> scanner)
   this->Scanner->SetPlatformNoise(nullptr);
   this->Scanner->SetInputDataObject(1, this->Place);
   this->Observer->SetClientData(this);
-  this->Observer->SetCallback(&BatchWorker::Keep);
+  this->Observer->SetCallback(&BatchWorker::StoreError);
   this->Scanner->AddObserver(vtkCommand::ErrorEvent, this->Observer);
   this->Scanner->AddObserver(vtkCommand::WarningEvent, this->Observer);
   this->Scanner->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Observer);
@@ -48,7 +48,7 @@ BatchWorker::~BatchWorker()
 }
 
 //------------------------------------------------------------------------------
-void BatchWorker::Keep(vtkObject*, unsigned long event, void* self, void* data)
+void BatchWorker::StoreError(vtkObject*, unsigned long event, void* self, void* data)
 {
   auto* worker = static_cast<BatchWorker*>(self);
   if (event == vtkCommand::ErrorEvent && worker->Error.empty())

@@ -40,7 +40,7 @@ public:
   vtkPolyData* GetEchoes() const;
 
 private:
-  static void Keep(vtkObject* caller, unsigned long event, void* self, void* data);
+  static void StoreError(vtkObject* caller, unsigned long event, void* self, void* data);
 
   vtkSmartPointer<vtkHeliosScanner> Scanner;
   vtkNew<vtkPolyData> Place; ///< a trajectory of one sample
