@@ -61,6 +61,7 @@ from .comparison import Comparison as Comparison, compare as compare
 from .fitting import Fit as Fit, fit as fit
 from .leafarea import PlantArea as PlantArea, plant_area as plant_area
 from .surveys.scanning import make_survey as make_survey, scan as scan
+from .surveys.batch import Sensor as Sensor, scan_many as scan_many
 from .clouds.cloud import Cloud as Cloud, Records as Records, read as read
 from .core.detectors import add_detector as add_detector
 from .core.plugins import load_plugin as load_plugin

@@ -17,7 +17,7 @@ from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 from .. import _native
-from ..array_names import OFFSETS, ORIENTATION, SCENE_IDS
+from ..array_names import AMPLITUDE, OFFSETS, ORIENTATION, PART_IDS, PULSE_IDS, RANGE, SCENE_IDS
 from ..core.classes import vtk_class
 
 from ..core.pipeline import (
@@ -35,7 +35,7 @@ if typing.TYPE_CHECKING:  # dictionaries of keywords, made by Python/make_stubs.
 
 __all__ = ["Scans", "Sensor", "scan_many"]
 
-ARRAYS = ("Range", "Amplitude", "PulseIds", "PartIds")
+ARRAYS = (RANGE, AMPLITUDE, PULSE_IDS, PART_IDS)
 
 
 class Scans:
