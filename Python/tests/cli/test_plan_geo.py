@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """vtkhelios plan: files for maps and receivers, as GDAL reads them; candidates from files; the page."""
 
+import base64
 import csv
 import json
 import re
@@ -309,7 +310,7 @@ def test_an_area_in_degrees(plan, tmp_path):
 # The page.
 
 
-def test_the_page_of_tripods(plan, tmp_path):
+def test_the_page_of_tripods(plan, tmp_path, read_pixels):
     pytest.importorskip("jinja2")
     pytest.importorskip("matplotlib")
     code, report, said = plan(
@@ -317,7 +318,12 @@ def test_the_page_of_tripods(plan, tmp_path):
     )
     assert code == 0, said
     page = (tmp_path / "output/field/plan.html").read_text()
-    assert page.count("data:image/png;base64,") == 2
+    maps = re.findall(r'data:image/png;base64,([^"]+)', page)
+    assert len(maps) == 2
+    for number, coded in enumerate(maps):
+        (tmp_path / f"{number}.png").write_bytes(base64.b64decode(coded))
+        pixels = read_pixels(tmp_path / f"{number}.png")
+        assert (pixels[:, [0, 1, -2, -1]] == 255).all()  # labels and legend are whole
     text = re.sub("<[^>]*>", " ", page.partition("</style>")[2].replace('src="data:[^"]*"', ""))
     for words in ("EPSG:25832 (ETRS89 / UTM zone 32N)", "ground z [m]", "4 min 00 s for each of", "0.5 m/s",
                   "N is grid north", "Steepest ground for a tripod"):  # fmt: skip

@@ -29,9 +29,10 @@ def load():
     return pyplot
 
 
-def to_png(figure):
+def to_png(figure, bounds=None):
+    """Returns a figure as PNG; bounds="tight": all of what is beside it, too."""
     buffer = io.BytesIO()
-    figure.savefig(buffer, format="png", dpi=DOTS)
+    figure.savefig(buffer, format="png", dpi=DOTS, bbox_inches=bounds)
     load().close(figure)
     return buffer.getvalue()
 

@@ -99,7 +99,7 @@ def _map(plan, title, note, draw):
     draw(figure, axes)
     draw_lines(axes, plan)
     axes.set_title("")
-    return make_figure(title, note, charts.to_png(figure), f"map: {title.lower()}")
+    return make_figure(title, note, charts.to_png(figure, "tight"), f"map: {title.lower()}")
 
 
 def _rows(plan):

@@ -169,7 +169,7 @@ def _map(plan, places, colours, title, note):
     if colours.ndim == 2:
         _add_legend(axes, plan)
     return make_figure(
-        title, note, charts.to_png(figure), f"map: {title.lower()}, tripods numbered"
+        title, note, charts.to_png(figure, "tight"), f"map: {title.lower()}, tripods numbered"
     )
 
 
