@@ -2,14 +2,17 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The pages of the documentation site are complete, and their links lead somewhere."""
 
+import argparse
 import pathlib
 import re
 import subprocess
 import sys
 
 import pytest
+from vtkmodules.vtkIOImage import vtkJPEGReader
 
 import vtkhelios
+from vtkhelios import cli
 
 ROOT = pathlib.Path(__file__).resolve().parents[2]
 sys.path.insert(0, str(ROOT / "Docs/site"))
@@ -58,8 +61,51 @@ def test_links_and_pictures(pages):
                 assert place.is_file(), (page, link)
 
 
+def test_every_option_has_an_entry(pages):
+    parsers = next(
+        each for each in cli.make_parser()._actions if isinstance(each, argparse._SubParsersAction)
+    ).choices
+    texts = {name: (pages / f"commands/{name}.md").read_text() for name in cli.commands()}
+    for name, text in texts.items():
+        assert text.startswith(f"# vtkhelios {name}\n\n```{{program}} vtkhelios {name}\n```\n")
+        entries = re.findall(r"```\{option\} (.*)\n", text)
+        assert len(entries) == len(set(entries)) and "-h, --help" in entries, name
+        names = {word for entry in entries for word in re.findall(r"(?<!\S)--?[a-z][\w-]*", entry)}
+        shown = (each for each in parsers[name]._actions if each.help is not argparse.SUPPRESS)
+        assert {word for each in shown for word in each.option_strings} <= names, name
+    assert "```{option} --energy-tolerance F\nadaptive beam sampling: RMS of" in texts["run"]
+    assert "```{option} -o FILE, --output FILE\n" in texts["leafarea"]
+    assert "```{option} --no-eye-dome\nwithout eye-dome" in texts["view"]
+    assert "## Field work\n\n```{option} --setup-time S\n" in texts["plan"]
+    assert "\nrecommendation:\n  --range 5mm --missed 1%   the fastest" in texts["tradeoff"]
+
+
+def test_declarations_in_cpp(pages):
+    text = (pages / "classes/vtkHeliosScanner.md").read_text()
+    assert "```{cpp:class} vtkHeliosScanner : public vtkHeliosInstrument\n" in text
+    assert "```{cpp:function} virtual void vtkHeliosScanner::SetPulseStep(vtkIdType _arg)\n" in text
+    text = (pages / "classes/vtkHeliosEchoDetection.md").read_text()
+    assert (
+        "```{cpp:function} static bool vtkHeliosEchoDetection::AddDetector(const std::string &name, "
+        "vtkHeliosEchoDetector *prototype)\n"
+    ) in text
+
+
+def test_first_page(pages):
+    text = (pages / "index.md").read_text()
+    assert text.startswith("# vtkHelios\n\nVersion {sub-ref}`release`\n")
+    cards = re.findall(r"(?m)^\[!\[.+?\]\(/(thumbnails/.+?)\)\]\(/(.+?)\) \[.+?\]\(/\2\)$", text)
+    assert len(cards) >= 12 and len(set(cards)) == len(cards)
+    for picture, page in cards:
+        reader = vtkJPEGReader()
+        reader.SetFileName(str(pages / picture))
+        reader.Update()
+        width, height, _ = reader.GetOutput().GetDimensions()
+        assert 100 < width <= 360 and 80 < height <= 225
+        assert (pages / page.partition("#")[0]).is_file()
+
+
 def test_commands(pages):
-    assert "--energy-tolerance F" in (pages / "commands/run.md").read_text()
     assert "[vtkhelios run](run.md)" in (pages / "commands/index.md").read_text()
 
 

@@ -22,6 +22,8 @@ def main(folder):
         "Examples": [*examples.make(folder), *gallery.make(folder)],
     }
     documents.make(folder, reference)
+    first = folder / documents.page_of(documents.HOME)
+    first.write_text(gallery.make_cards(folder, first.read_text()))
     return sum(path.is_file() for path in folder.rglob("*"))
 
 

@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""A page for every wrapped class, with all properties and methods."""
+"""A page for every wrapped class, with all properties and methods, in Python and C++."""
 
 import re
 import sys
@@ -10,6 +10,7 @@ import vtkhelios
 from . import markdown
 
 FOLDER = "classes"
+DECLARATION = re.compile(r"^C\+\+: ([^\n]+(?:\n {4}[^\n]+)*)", re.M)
 SIGNATURE = re.compile(r"^(\w+\([^\n]*(?:\n(?!C\+\+)[^\n]*)*?\)\s*->\s*[^\n]+)\nC\+\+:", re.M)
 ACCESSORS = re.compile(r"(Get|Set)\w+|\w+(On|Off)|Set\w+To\w+|Get\w+M(in|ax)Value")
 BOILERPLATE = {"IsA", "IsTypeOf", "NewInstance", "SafeDownCast"}
@@ -42,6 +43,8 @@ def page(cls):
     """The page of one class."""
     parts = [f"# {cls.__name__}\n", markdown.line(_sentence(summary(cls))) + "\n"]
     bases = [base for base in cls.__mro__[1:] if base.__name__.startswith("vtk")]
+    derived = f" : public {bases[0].__name__}" if bases else ""
+    parts.append(f"```{{cpp:class}} {cls.__name__}{derived}\n:no-contents-entry:\n```\n")
     if bases:
         chain = [_link(base) if _is_own(base) else base.__name__ for base in bases[:3]]
         parts.append(f"Derived from {', '.join(chain)}.\n")
@@ -100,14 +103,12 @@ def _properties(cls):
         return []
     parts = ["## Properties\n"]
     for name, value in own.items():
-        facts = [value.kind if value.setter_name else f"{value.annotation}, read only"]
-        accessors = [
-            f"{verb}{value.camel}" for verb in ("Set", "Get") if hasattr(cls, verb + value.camel)
-        ]
-        facts.append("C++: " + ", ".join(markdown.code(method) for method in accessors))
+        fact = value.kind if value.setter_name else f"{value.annotation}, read only"
+        accessors = [f"{verb}{value.camel}" for verb in ("Set", "Get")]
         parts += [
             f"### {markdown.escape(name)}\n",
-            f"{'; '.join(facts)}\n",
+            f"{fact}\n",
+            *(declarations(cls, method) for method in accessors if hasattr(cls, method)),
             markdown.prose(value.__doc__) + "\n",
         ]
     return parts
@@ -120,8 +121,21 @@ def _methods(cls):
         signatures = [" ".join(found.split()) for found in SIGNATURE.findall(text)]
         told = text.rpartition("C++:")[2].partition("\n\n")[2]
         parts += [f"### {name}\n", "```python\n" + "\n".join(signatures or [name]) + "\n```\n"]
-        parts.append(markdown.prose(told) + "\n")
+        parts += [declarations(cls, name), markdown.prose(told) + "\n"]
     return ["## Methods\n", *parts] if parts else []
+
+
+def declarations(cls, name):
+    """The declarations in C++ of a method, each with an anchor."""
+    found = DECLARATION.findall(getattr(cls, name).__doc__ or "")
+    found = [re.sub(r"\boverride$", "", " ".join(text.split()).rstrip(";")) for text in found]
+    named = [
+        re.sub(rf"(?<!\w){name}\(", f"{cls.__name__}::{name}(", text, count=1) for text in found
+    ]
+    return "".join(
+        f"```{{cpp:function}} {text.strip()}\n:no-contents-entry:\n```\n"
+        for text in dict.fromkeys(named)
+    )
 
 
 def _belongs(name, accessors):

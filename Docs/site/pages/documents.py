@@ -33,7 +33,8 @@ def find():
 
 
 def make(folder, reference):
-    """Copies the documents; the first page has the table of contents, with the entries of the reference."""
+    """Copies the documents; the first page also has the version and the table of contents, with the
+    entries of the reference."""
     for document in find():
         place = folder / page_of(document)
         place.parent.mkdir(parents=True, exist_ok=True)
@@ -43,9 +44,12 @@ def make(folder, reference):
                 copy = folder / target.relative_to(ROOT)
                 copy.parent.mkdir(parents=True, exist_ok=True)
                 shutil.copy2(target, copy)
-    with (folder / page_of(HOME)).open("a") as file:
-        for caption, names in {**sections(), **reference}.items():
-            file.write("\n" + markdown.contents(names, caption))
+    first = folder / page_of(HOME)
+    text = first.read_text()
+    text = text.replace("\n", "\n\nVersion {sub-ref}`release`\n", 1)
+    for caption, names in {**sections(), **reference}.items():
+        text += "\n" + markdown.contents(names, caption)
+    first.write_text(text)
 
 
 def sections():
