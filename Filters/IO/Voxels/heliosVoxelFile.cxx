@@ -227,7 +227,9 @@ bool VoxelFile::FinishHead()
       return this->Fail("cells have no size; put #res: r above them, or a #max_corner beyond "
                         "#min_corner");
     }
-    if (this->HasHighCorner && std::abs(extent / layout.Size[axis] - count) > 0.5)
+    // Grids that were cropped, or made coarser, may have the corner of the grid before.
+    const double permitted = 0.5 + 0.02 * count;
+    if (this->HasHighCorner && std::abs(extent / layout.Size[axis] - count) > permitted)
     {
       return this->Fail("#max_corner is not where #min_corner, #split and #res end along axis " +
         std::to_string(axis) + "; correct one of them");

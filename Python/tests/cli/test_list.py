@@ -70,6 +70,8 @@ def test_nothing_found_names_the_cure(tmp_path, monkeypatch, capsys):
     assert 'no scene with "x" in its id or name' in capsys.readouterr().err
     assert cli.main(["list", "platforms", "balloon"]) == 1
     assert '"balloon": no platform has all these words' in capsys.readouterr().err
+    assert cli.main(["list", "scanners", "balloon"]) == 1
+    assert "vtkhelios instrument makes one from a manufacturer's file" in capsys.readouterr().err
     assert cli.main(["list", "scanners", "x", "--assets", "none"]) == 1
     assert "--assets none: no such folder" in capsys.readouterr().err
     with pytest.raises(SystemExit):

@@ -16,8 +16,7 @@ def explain_none(text):
     """The error if nothing is found."""
     return (
         f'"{text}": no scanner has all these words in its id, name, maker, use or optics; '
-        "vtkhelios list scanners lists all; vtkhelios instrument writes one from the metadata of an Ouster "
-        "sensor"
+        "vtkhelios list scanners lists all, and vtkhelios instrument makes one from a manufacturer's file"
     )
 
 

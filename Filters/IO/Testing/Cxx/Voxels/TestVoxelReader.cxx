@@ -54,6 +54,16 @@ TEST_CASE("VoxelReader: other orders of header lines and columns", "[VoxelReader
     CHECK(reading.Get(names::PAD, 18) == 2.25);
     CHECK(reading.Get(names::Transmittance, 0) == 0.75);
   }
+  SECTION("the upper corner of a grid that was larger by some cells")
+  {
+    Reading reading("#min_corner: 0 0 0\n#max_corner: 1 1 10.25\n#split: 2 2 18\n#res: 0.5\n"
+                    "i j k PadBVTotal\n1 1 17 3\n");
+    CHECK_FALSE(reading.Read()); // 2.5 of 18 cells
+    Reading cut("#min_corner: 0 0 0\n#max_corner: 1 1 9.4\n#split: 2 2 18\n#res: 0.5\n"
+                "i j k PadBVTotal\n1 1 17 3\n");
+    REQUIRE(cut.Read());
+    CHECK(cut.Grid()->GetBounds()[5] == 9.0);
+  }
   SECTION("a size from the corners, and no transmittance")
   {
     Reading reading(
