@@ -338,7 +338,10 @@ def test_printed_plan(plan, tmp_path, command_line):
     )
     assert re.search(r"\n +0 +[\d.]+ +[\d.]+ +1\.700 +\d+ +\d+ +\d+ +[\d.]+", done.stdout)
     assert ": 100.00 % of the " in done.stdout and "linear bound " in done.stdout
-    assert "run it   vtkhelios run output/room/survey.xml" in done.stdout
+    assert (
+        "run it   vtkhelios run output/room/survey.xml\n"
+        "         with --dry-run: an estimate of its time and points\n"
+    ) in done.stdout
     assert (tmp_path / "output/room/positions.vtp").is_file()
     assert not list(tmp_path.rglob("*.part"))
 

@@ -110,6 +110,11 @@ def test_info_shows_what_a_scene_holds(files, capsys):
     assert facts["scenes"] == [{"id": "s", "name": "yard", "parts": [part], "tables": []}]
     assert cli.main(["info", str(files[".xml"])]) == 0
     assert "scene      s, yard: 1 part\n" in capsys.readouterr().out
+    files[".xml"].write_text(
+        files[".xml"].read_text().replace("</scene>", '<partTable file="t.csv"/></scene>')
+    )
+    assert cli.main(["info", str(files[".xml"])]) == 0
+    assert "table      t.csv: a part for each row\n" in capsys.readouterr().out
     catalogue = vtkhelios.data_directory() / "Assets/scanners.xml"
     assert cli.main(["info", str(catalogue)]) == 0
     assert re.search(r"scanners   \d+: .*vz400_class_tls", capsys.readouterr().out)

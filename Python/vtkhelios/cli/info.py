@@ -212,6 +212,8 @@ def document_lines(facts):
             yield f"part       {part['id'] or '-'}: {', '.join(part['filters'])}; {files}"
         if len(scene["parts"]) > MOST:
             yield f"           and {len(scene['parts']) - MOST} more"
+        for table in scene["tables"]:
+            yield f"table      {table or 'no file'}: a part for each row"
     for kind in ("platforms", "scanners", "plans"):
         if facts[kind]:
             yield f"{kind:10} {len(facts[kind])}: {', '.join(facts[kind])}"

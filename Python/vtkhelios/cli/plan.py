@@ -5,7 +5,6 @@
 import json
 import os
 import pathlib
-import shlex
 
 from vtkmodules.vtkCommonCore import vtkSMPTools
 
@@ -19,7 +18,7 @@ from ..plans.files import (
 from ..plans.geo import check_formats
 from ..plans.plan import Plan, PlanTask
 from ..plans.settings import SettingError
-from ..reports.plan import file_lines, print_table, result_lines
+from ..reports.plan import file_lines, print_table, result_lines, run_lines
 from ._flight.options import add_flight_arguments, find_misplaced
 from ._flight.run import make_flight_plan
 from ._geo_files import write_geo_files
@@ -201,8 +200,8 @@ def write_plan(arguments, formats, plan, folder, messages):
     report["files"] = [path.name for path in files]
     for line in file_lines([*files, summary_file(report, folder)]):
         messages.info(line)
-    folders = [word for folder in arguments.assets for word in ("--assets", folder)]
-    messages.info(f"run it   {shlex.join(['vtkhelios', 'run', str(survey), *folders])}")
+    for line in run_lines(survey, arguments.assets):
+        messages.info(line)
     if arguments.json:
         print(json.dumps(report, indent=2))
     return code

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The result of a plan: as a table, as text."""
 
+import shlex
 import sys
 
 from ..core.streams import unfiltered
@@ -122,6 +123,13 @@ def describe_proof(result, limit=None):
         f"{scans}; lower bound: {counted(result['bestBound'], 'scan')} ({bound}, gap "
         f"{result['gap_percent']:.0f} %); {cure}"
     )
+
+
+def run_lines(survey, assets):
+    """Yields the command that runs a planned survey."""
+    folders = [word for folder in assets for word in ("--assets", str(folder))]
+    yield f"run it   {shlex.join(['vtkhelios', 'run', str(survey), *folders])}"
+    yield "         with --dry-run: an estimate of its time and points"
 
 
 def file_lines(files):

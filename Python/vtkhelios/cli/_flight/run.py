@@ -4,7 +4,6 @@
 
 import json
 import pathlib
-import shlex
 
 from ...core.files import cannot_be_written
 from ...core.paths import require_utf8
@@ -15,7 +14,7 @@ from ...flight._files import FILES, data_files, geo_files, page_file, picture_fi
 from ...plans.files import new_plan, summary_file
 from ...plans.geo import check_formats
 from ...reports.flight import check_lines, flight_lines, lacks, print_lines
-from ...reports.plan import file_lines
+from ...reports.plan import file_lines, run_lines
 from .._geo_files import write_geo_files
 from .._plan_check import read_strips, simulate
 from .._plan_options import find_unusable
@@ -64,8 +63,8 @@ def write(arguments, formats, plan, folder, messages):
     report["files"] = [path.name for path in files]
     for line in file_lines([*files, summary_file(report, folder)]):
         messages.info(line)
-    folders = [word for each in arguments.assets for word in ("--assets", each)]
-    messages.info(f"run it   {shlex.join(['vtkhelios', 'run', str(files[0]), *folders])}")
+    for line in run_lines(files[0], arguments.assets):
+        messages.info(line)
     if arguments.json:
         print(json.dumps(report, indent=2))
     return code
