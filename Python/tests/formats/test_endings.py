@@ -110,10 +110,13 @@ def test_info_shows_what_a_scene_holds(files, capsys):
     assert facts["scenes"] == [{"id": "s", "name": "yard", "parts": [part], "tables": []}]
     assert cli.main(["info", str(files[".xml"])]) == 0
     assert "scene      s, yard: 1 part\n" in capsys.readouterr().out
-    files[".xml"].write_text(
-        files[".xml"].read_text().replace("</scene>", '<partTable file="t.csv"/></scene>')
-    )
-    assert cli.main(["info", str(files[".xml"])]) == 0
+    table = files[".xml"].with_name("table.xml")
+    text = files[".xml"].read_text()
+    model = re.search("<filter.*</filter>", text)[0]
+    rows = f'<partTable file="t.csv"><model id="m">{model}</model></partTable></scene>'
+    table.write_text(text.replace("</scene>", rows))
+    table.with_name("t.csv").write_text("x,y\n1,2\n")
+    assert cli.main(["info", str(table)]) == 0, capsys.readouterr().err
     assert "table      t.csv: a part for each row\n" in capsys.readouterr().out
     catalogue = vtkhelios.data_directory() / "Assets/scanners.xml"
     assert cli.main(["info", str(catalogue)]) == 0
