@@ -38,7 +38,8 @@ std::string MakeLabel(const EditRange& range, double value)
 {
   const bool isLarge = range.Unit == "Hz" && value >= 1e4;
   char text[32];
-  std::snprintf(text, sizeof(text), "%.4g", isLarge ? 1e-3 * value : value);
+  const bool isWhole = range.Unit == "m" && value >= 100.0; // with room for the unit
+  std::snprintf(text, sizeof(text), isWhole ? "%.0f" : "%.4g", isLarge ? 1e-3 * value : value);
   return range.Label + "  " + text + (isLarge ? " k" : " ") + range.Unit;
 }
 
