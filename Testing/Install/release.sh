@@ -12,7 +12,7 @@
 #   --release NAME    bookworm or trixie; repeatable (default: both)
 #   --python PYTHON   a CPython with headers for one more wheel; repeatable (default: python3.12 and
 #                     python3.13 where this system has them)
-#   --folder FOLDER   of the Debians, about 10 GB each; default: vtkhelios-release in $TMPDIR or /tmp
+#   --folder FOLDER   of the two, about 10 GB each; default: vtkhelios-release in $TMPDIR or /tmp
 #   --mirror MIRROR   of Debian's packages; default: the first one of this system
 #   --no-test         build without trying
 #   --list            prints what would be made, and makes nothing

@@ -62,7 +62,7 @@ private:
   std::vector<LasRecord> Records;
   std::vector<LasExtra> Extras;
   LazPoints Compressed; // points of LAZ
-  std::mutex Reading;   // of compressed bytes, by several threads
+  std::mutex Reading;   // held while a thread reads bytes
 };
 
 } // namespace helios

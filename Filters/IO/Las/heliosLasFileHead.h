@@ -24,7 +24,7 @@ struct LasFileHead
   std::string Crs;     ///< source of Wkt
   bool HasTime = true; ///< TimeShift is known
   bool HasWaves = false;
-  std::vector<LazChunk> Chunks; ///< of a LAZ file that is resumed
+  std::vector<LazChunk> Chunks; ///< the chunks of a LAZ file that is resumed
   std::uint32_t Spacing = 0;    ///< spacing of samples [ps]; 0: no waveforms yet
 
   /// Encodes the records after the header, and counts them.

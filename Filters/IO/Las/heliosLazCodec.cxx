@@ -36,7 +36,7 @@ void SetForm(const LazForm& form, std::uint32_t chunkSize, LASzip& zip)
   zip.coder = LASZIP_CODER_ARITHMETIC;
   zip.chunk_size = chunkSize;
   zip.num_items = static_cast<unsigned short>(form.Items.size());
-  zip.items = new LASitem[form.Items.size()]; // of LASzip
+  zip.items = new LASitem[form.Items.size()]; // LASzip deletes them
   for (std::size_t i = 0; i < form.Items.size(); ++i)
   {
     zip.items[i].type = static_cast<LASitem::Type>(form.Items[i].Type);
@@ -157,7 +157,7 @@ Status EncodeLazChunks(
   return failed == states.end() ? Status() : *failed;
 }
 
-/// What decompression needs; the members are destroyed before those that they use.
+/// The state of a decompression; members are destroyed before those that they use.
 struct LazDecoder::Parts
 {
   explicit Parts(const LazForm& form)

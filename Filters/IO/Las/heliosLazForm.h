@@ -20,7 +20,7 @@ namespace helios
 /// Fields of a point that are compressed together.
 struct LazItem
 {
-  int Type = 0; ///< of LASitem::Type
+  int Type = 0; ///< number in LASitem::Type
   int Size = 0; ///< [bytes]
   int Version = 0;
 };

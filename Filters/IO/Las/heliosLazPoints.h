@@ -68,10 +68,10 @@ private:
   LazForm Form;
   ReadBytes ReadFile;
   std::uint64_t Begin = 0; // first byte of the chunks
-  std::uint64_t Size = 0;  // of the file
+  std::uint64_t Size = 0;  // size of the file [bytes]
   std::vector<LazChunk> Chunks;
   std::vector<LazChunk> Begins; // first point and byte of each chunk, and the ends of the last one
-  std::unique_ptr<LazDecoder> Current; // of the chunk that was read in part
+  std::unique_ptr<LazDecoder> Current; // decoder of the chunk that was read in part
   std::size_t CurrentChunk = 0;
   std::uint64_t CurrentNext = 0;
 };

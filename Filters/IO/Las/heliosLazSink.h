@@ -55,7 +55,7 @@ private:
   LazForm Form;
   std::vector<LazChunk> Chunks; // in the file
   std::vector<char> Pending;    // points after them
-  std::vector<char> Marked;     // those of Mark(), if some of them are in chunks since
+  std::vector<char> Marked;     // points before Mark(), if some of them are in chunks since
   std::size_t MarkedSize = 0;
   std::size_t MarkedChunks = 0;
   bool HasAppended = false; // since Mark()
