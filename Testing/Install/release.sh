@@ -178,7 +178,7 @@ if $lists; then
   exit
 fi
 helios_own_mounts "$here/release.sh" "$@"
-version=$(sed -n 's/^ *VERSION \([0-9.]*\).*/\1/p' "$source/CMakeLists.txt" | head -1)
+version=$(sed -n 's/^project(vtkHelios VERSION \([0-9.]*\).*/\1/p' "$source/CMakeLists.txt")
 mkdir -p "$dist" "$folder"
 helios_time licenses make_licenses
 ! has sources || helios_time sources make_sources
