@@ -14,7 +14,7 @@ FOLDERS = [
 DOCUMENTS = sorted([*ROOT.glob("*.md"), *(file for path in FOLDERS for file in path.rglob("*.md"))])
 SOURCES = {
     file.name
-    for path in FOLDERS
+    for path in (*FOLDERS, ROOT / "findings")
     for suffix in ("*.h", "*.cxx", "*.py", "*.sh", "*.ipynb")
     for file in path.rglob(suffix)
 }
