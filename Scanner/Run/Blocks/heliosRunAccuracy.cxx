@@ -360,8 +360,7 @@ Json::Value RunAccuracy::Describe() const
   if (orders > 1 ||
     (orders == 0 &&
       std::any_of(scanners.begin(), scanners.end(),
-        [](const ScannerData& each)
-        { return each.GetChannel(0).Receiver.ScatteringOrders > 1; })))
+        [](const ScannerData& each) { return each.GetChannel(0).Receiver.ScatteringOrders > 1; })))
   {
     described["without"].append("light scattered more than once");
   }

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // Sampling, waveforms, detection and noise in the dialect: read, checked, set up, and run.
 #include "heliosReceiverSetup.h"
+#include "heliosStatus.h"
 
 #include "heliosSurveyFiles.h"
 #include "vtkHeliosBeamSampler.h"
