@@ -5,6 +5,8 @@
 
 #include "heliosRayVectors.h"
 
+#include <vtkMath.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
@@ -283,6 +285,34 @@ void BeamTracer::CastMore(
 void BeamTracer::CastAll(const Pulse& pulse, ScanCounts& counts)
 {
   this->CastMore(this->Model.SubRays, pulse, counts);
+}
+
+//------------------------------------------------------------------------------
+/// Casts more sub-rays than usual in a wide footprint: its many leaves even out what it returns.
+void BeamTracer::CastAmongLeaves(const Pulse& pulse, ScanCounts& counts)
+{
+  constexpr double share =
+    0.01; // [m2], of a sub-ray, where the beam meets the first leaf or surface
+  this->CastAll(pulse, counts);
+  const std::size_t count = this->SubRays->size();
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t k = 0; k < count; ++k)
+  {
+    nearest = std::min(nearest, this->Hits[k].Range);
+  }
+  const double radius = this->Model.ConeTangent * (nearest + this->Model.ApexOffset);
+  const double wanted = vtkMath::Pi() * radius * radius / share;
+  if (!(nearest < std::numeric_limits<double>::infinity()) || wanted <= 1.0 * count)
+  {
+    return;
+  }
+  int level = 0;
+  for (double rays = this->Model.Plan.MinimumSubRays; rays < wanted; rays *= 4.0)
+  {
+    ++level;
+  }
+  const int last = static_cast<int>(this->Model.RayLevels.size()) - 1;
+  this->CastLevel(pulse, std::min(level, last), counts);
 }
 
 //------------------------------------------------------------------------------

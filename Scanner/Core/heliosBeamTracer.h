@@ -79,6 +79,10 @@ public:
   /// Casts all sub-rays of a pulse among leaves.
   void CastAll(const Pulse& pulse, ScanCounts& counts);
 
+  /// Casts them, or more, in a beam that may meet turbid voxels: one for each dm2 of its footprint, up to the
+  /// largest number of sub-rays.
+  void CastAmongLeaves(const Pulse& pulse, ScanCounts& counts);
+
   /// Aims the sub-rays of a pulse whose light is scattered more than once.
   void AimLight(const Pulse& pulse, std::vector<vtkHeliosRay>& rays) const;
 

@@ -228,7 +228,8 @@ void PulseKernel::RunAdaptive(std::size_t slot)
   }
   if (cone.MayHitTurbidVoxels || this->Model.UsesRays)
   {
-    this->Tracer.CastAll(pulse, this->Counts);
+    cone.MayHitTurbidVoxels ? this->Tracer.CastAmongLeaves(pulse, this->Counts)
+                            : this->Tracer.CastAll(pulse, this->Counts);
     this->RunReturns(pulse);
     return;
   }

@@ -17,6 +17,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
 
 using namespace helios::testing;
 using helios::Vec3;
@@ -229,6 +230,42 @@ TEST_CASE("Scanner: the mean waveform of a turbid slab conserves energy", "[Scan
   CHECK(pulsesStopped < 20);
   const double stopped = 1.0 - std::exp(-0.5 * 1.2 * 2.0);
   CHECK(std::abs(leaves - 1000.0 * stopped) < 4.0 * std::sqrt(squares * stopped * (1.0 - stopped)));
+}
+
+TEST_CASE("Scanner: wide beams have a sub-ray for each dm2 among leaves", "[ScannerTurbid]")
+{
+  const double stopped = 1.0 - std::exp(-0.5 * 1.2 * 2.0);
+  for (const double diameter : { 1.0, 20.0 })
+  {
+    constexpr int pulses = 8;
+    const auto slab = MakeSlab(100.0, 2.0, 1.2);
+    slab->SetSpacing(20.0, 0.5, 20.0);
+    slab->SetOrigin(-40.0, 100.0, -40.0);
+    TurbidBench bench(
+      MakeScene({ { { -90, 110, -90 }, { 180, 0, 0 }, { 0, 0, 180 } } }), slab, pulses);
+    bench.Scanner->SetSamplingToTolerance();
+    bench.Scanner->GetBeamSampler()->SetBeamDivergence(diameter / 100.0);
+    bench.Scanner->GenerateSubRaysOn();
+    bench.Run();
+    INFO(bench.Log->Errors);
+    vtkPolyData* hits = bench.Scanner->GetOutput(3);
+    std::vector<double> all(pulses), leaves(pulses);
+    for (vtkIdType i = 0; i < hits->GetNumberOfPoints(); ++i)
+    {
+      const auto pulse = static_cast<std::size_t>(Value(hits, names::PulseIds, i));
+      const double weight = Value(hits, names::Weight, i);
+      all[pulse] += weight;
+      leaves[pulse] += Value(hits, names::Range, i) < 105.0 ? weight : 0.0;
+    }
+    const vtkIdType each = hits->GetNumberOfPoints() / pulses;
+    CAPTURE(diameter, each);
+    CHECK(each > (diameter < 2.0 ? 64 : 30000));
+    CHECK(each < (diameter < 2.0 ? 4097 : 65537));
+    for (std::size_t i = 0; i < pulses; ++i)
+    {
+      CHECK(leaves[i] / all[i] == Approx(stopped).margin(diameter < 2.0 ? 0.15 : 0.012));
+    }
+  }
 }
 
 TEST_CASE("Scanner: turbid voxels are independent of threads and pieces", "[ScannerTurbid]")
