@@ -7,7 +7,6 @@
 #include <vtkFieldData.h>
 #include <vtkFloatArray.h>
 #include <vtkSMPTools.h>
-#include <vtkSphereSource.h>
 #include <vtkTable.h>
 
 #include <algorithm>
@@ -94,16 +93,10 @@ TEST_CASE("ScannerScattering: an echo tells how much of it was scattered more th
 
 TEST_CASE("ScannerScattering: the waveforms in a Lambertian sphere sum up to its closed form")
 {
-  vtkNew<vtkSphereSource> source;
-  source->SetRadius(5.0);
-  source->SetThetaResolution(240);
-  source->SetPhiResolution(120);
-  source->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  source->Update();
-  SetMaterial(source->GetOutput(), 0.8);
+  const auto sphere = MakeSphere(5.0, 0.8);
   const auto run = [&](int orders)
   {
-    Bench bench(source->GetOutput());
+    Bench bench(sphere);
     bench.Scanner->SetAtmosphericExtinction(0.0);
     bench.Scanner->GenerateWaveformsOn();
     bench.Scanner->SetDuration(0.0003);

@@ -3,27 +3,11 @@
 // Light that is scattered more than once, against closed forms and quadratures.
 #include "heliosScatteringBench.h"
 
-#include <vtkSphereSource.h>
-
 using namespace helios::testing;
 using helios::Vec3;
 
 namespace
 {
-
-/// A sphere about the origin, whose triangles have its area within 0.1 %.
-vtkSmartPointer<vtkPolyData> MakeSphere(double radius, double reflectance)
-{
-  vtkNew<vtkSphereSource> source;
-  source->SetRadius(radius);
-  source->SetThetaResolution(240);
-  source->SetPhiResolution(120);
-  source->SetOutputPointsPrecision(vtkAlgorithm::DOUBLE_PRECISION);
-  source->Update();
-  vtkSmartPointer<vtkPolyData> sphere = source->GetOutput();
-  SetMaterial(sphere, reflectance);
-  return sphere;
-}
 
 /// Integrates over [0, end] by Simpson's rule.
 double Integrate(const std::function<double(double)>& f, double end, int steps = 20000)

@@ -36,6 +36,36 @@ inline void SetMaterial(vtkDataObject* scene, double reflectance)
   helios::SetMaterials(scene, { material });
 }
 
+/// A sphere about the origin, whose triangles have its area within 0.1 %.
+inline vtkSmartPointer<vtkPolyData> MakeSphere(double radius, double reflectance)
+{
+  constexpr int rings = 120, turns = 240;
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> polys;
+  for (int i = 0; i <= rings; ++i)
+  {
+    const double angle = Pi * i / rings;
+    for (int k = 0; k < turns; ++k)
+    {
+      const double azimuth = 2.0 * Pi * k / turns;
+      points->InsertNextPoint(radius * std::sin(angle) * std::cos(azimuth),
+        radius * std::sin(angle) * std::sin(azimuth), radius * std::cos(angle));
+      if (i > 0)
+      {
+        const vtkIdType row = i * turns, above = row - turns, next = (k + 1) % turns;
+        polys->InsertNextCell({ above + k, row + k, row + next });
+        polys->InsertNextCell({ above + k, row + next, above + next });
+      }
+    }
+  }
+  auto sphere = vtkSmartPointer<vtkPolyData>::New();
+  sphere->SetPoints(points);
+  sphere->SetPolys(polys);
+  SetMaterial(sphere, reflectance);
+  return sphere;
+}
+
 /// A box of voxels of one density and reflectance.
 inline vtkSmartPointer<vtkImageData> MakeBox(
   const Vec3& corner, double cell, const int cells[3], double density, double reflectance)
