@@ -173,7 +173,8 @@ TEST_CASE("ScannerScattering: results depend on the seed, not on threads, pieces
     vtkSMPTools::Initialize();
     return bytes;
   };
-  CHECK(run(1, 5) == run(4, 5));
+  const std::string many = run(4, 5); // before a call limits the threads
+  CHECK(run(1, 5) == many);
   CHECK(run(1, 5) != run(1, 6));
   CornerBench whole(scene);
   whole.Run();
