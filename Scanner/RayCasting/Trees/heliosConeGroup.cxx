@@ -241,7 +241,7 @@ ConeTriangles ConeGroup::Select(
     Masks isOutside = Masks();
     Masks covers = Masks() - 1;
     const Doubles error = Error * reach * reach;
-    const Doubles doubt = 8 * error * reach; // of the determinant
+    const Doubles doubt = 8 * error * reach;
     for (int k = 0; k < 3; ++k)
     {
       const Doubles* a = p[(k + 1) % 3];
