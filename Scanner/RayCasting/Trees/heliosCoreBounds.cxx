@@ -27,8 +27,8 @@ void GetCoreBounds(const TriangleMesh& mesh, double bounds[6])
     const auto low = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 1024);
     const auto high = values.end() - 1 - (low - values.begin());
     std::nth_element(values.begin(), low, values.end());
-    std::nth_element(low, high, values.end());
     bounds[2 * axis] = *low;
+    std::nth_element(low, high, values.end()); // moves what is at low, too
     bounds[2 * axis + 1] = *high;
     width = std::max(width, bounds[2 * axis + 1] - bounds[2 * axis]);
   }

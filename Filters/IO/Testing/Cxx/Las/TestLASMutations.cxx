@@ -82,7 +82,7 @@ TEST_CASE("LASMutations: damaged files give an error or points", "[LASMutations]
     REQUIRE(sum == count);
   }
   CHECK(errorCount > 20);
-  CHECK(goodCount > 20);
+  CHECK(goodCount > (isCompressed ? 3 : 20)); // little damage of compressed points is harmless
 }
 
 TEST_CASE("LASMutations: damaged waveforms give an error or waveforms", "[LASMutations][mutation]")
