@@ -42,7 +42,7 @@ from _command_line import PULSES, expect_failure, start
         ),
         (["run", "s.xml", "--seed", "1.5"], "'1.5' is not a whole number"),
         (["run", "s.xml", "--threads", "many"], "'many' is not a whole number from 0 to 4096"),
-        (["run", "s.xml", "--format", "pcd"], "unknown 'pcd': known: xyz, las, vtp"),
+        (["run", "s.xml", "--format", "pcd"], "unknown 'pcd': known: xyz, las, laz, vtp"),
         (["run", "s.xml", "--range-tolerance", "0"], "'0' is not a number from 1e-06 to 1"),
         (
             ["run", "s.xml", "--max-sub-rays", "9"],
@@ -307,7 +307,10 @@ def test_scan_flags_are_two_more_columns(command_line, make_survey, tmp_path):
 def test_waveforms_in_points_needs_las_and_waveforms(command_line, make_survey, tmp_path):
     done = command_line("run", make_survey(), "--waveforms-in-points", "--waveforms")
     assert done.returncode == 2
-    assert "--waveforms-in-points needs --format las and --waveforms: give all three" in done.stderr
+    assert (
+        "--waveforms-in-points needs --format las or laz, and --waveforms: give all three"
+        in done.stderr
+    )
 
 
 def test_waveforms(command_line, make_survey, tmp_path):

@@ -51,7 +51,7 @@ def test_all_commands_are_described(commands):
     options = {name for option in commands["run"].options for name in option.names}
     assert {"--format", "--assets", "--help", "-h"} <= options
     kinds = {name: option.value for option in commands["run"].options for name in option.names}
-    assert kinds["--format"].words == ("xyz", "las", "vtp")
+    assert kinds["--format"].words == ("xyz", "las", "laz", "vtp")
     assert kinds["--assets"].kind == kinds["--output"].kind == "folder"
     assert kinds["--seed"].kind == "number"
     assert kinds["--quiet"].kind == "flag"
@@ -67,8 +67,8 @@ def test_all_commands_are_described(commands):
     [
         ("ru", {"run"}),
         ("run --form", {"--format"}),
-        ("run --format ", {"xyz", "las", "vtp"}),
-        ("run --format = l", {"las"}),
+        ("run --format ", {"xyz", "las", "laz", "vtp"}),
+        ("run --format = l", {"las", "laz"}),
         ("run --assets a", {"assets"}),
         ("run a", {"a survey.xml", "assets"}),
         ("run --seed a", {""}),
@@ -96,7 +96,7 @@ def test_bash(line, expected, scripts):
     [
         ("ru", {"run"}),
         ("run --form", {"--format"}),
-        ("run --format ", {"las", "vtp", "xyz"}),
+        ("run --format ", {"las", "laz", "vtp", "xyz"}),
         ("run --assets a", {"assets/"}),
         ("run a", {"a survey.xml", "assets/"}),
         ("help vali", {"validate"}),

@@ -31,15 +31,15 @@ def fake(folder, monkeypatch, name, text):
 
 
 def test_what_works_and_what_is_missing(capsys, tmp_path, monkeypatch):
-    fake(tmp_path, monkeypatch, "laszip", "__version__ = '9.8.7'")
+    fake(tmp_path, monkeypatch, "open3d", "__version__ = '9.8.7'")
     monkeypatch.setitem(
         packages.PACKAGES, "no_such_package", packages.Package("nothing", "no-such-package", True)
     )
     code, out, err = run_cli(capsys, "doctor", "--json")
     parts = parts_of(json.loads(out))
     assert code == 0 and err == ""
-    assert parts["laszip"]["state"] == "works" and parts["laszip"]["version"] == "9.8.7"
-    assert parts["laszip"]["place"] == str(tmp_path / "laszip")
+    assert parts["open3d"]["state"] == "works" and parts["open3d"]["version"] == "9.8.7"
+    assert parts["open3d"]["place"] == str(tmp_path / "open3d")
     assert (
         parts["numpy"]["state"] == parts["VTK"]["state"] == parts["vtkhelios"]["state"] == "works"
     )

@@ -136,7 +136,7 @@ def test_every_command_that_reports_has_json():
         ("plan x --grid -3", "argument --grid: '-3' is not a number from 1e-06 to 1e+06; see vtkh"),
         (
             "export a b",
-            "one of the arguments --kitti --semantickitti --s3dis --mcap is required; see",
+            "one of the arguments --kitti --semantickitti --kitti-objects --nuscenes --s3dis --mcap --rosbag is required; see",
         ),
     ],
 )

@@ -58,7 +58,9 @@ def test_laz_with_wrong_counts(tmp_path):
     data = bytearray(path.read_bytes())
     data[247:255] = (COUNT + 100_000).to_bytes(8, "little")
     path.write_bytes(data)
-    with pytest.raises(FormatError, match=r"points 0 to \d+ of 105000 cannot be read"):
+    with pytest.raises(
+        FormatError, match="has chunks with 5000 points of the 105000 that its header counts"
+    ):
         read(path, 200_000)
 
 

@@ -10,6 +10,7 @@ import pytest
 import vtkhelios
 from vtkhelios import cli, formats
 from vtkhelios.learning import _mcap
+from vtkhelios.learning._content import Content
 
 START = "2017-01-01 00:00:00"
 EPOCH = 1930 * 604800 + 18.0  # a week begins on that day, and GPS time is ahead by 18 s
@@ -90,9 +91,9 @@ def test_e57_and_mcap_have_it(make_survey, tmp_path):
         chunk = next(reader.chunks())
         assert reader.header.epoch + chunk["GpsTime"][0] == pytest.approx(EPOCH, abs=1)
     pytest.importorskip("mcap")
-    writer = _mcap.McapWriter(tmp_path, None, fields)
+    writer = _mcap.McapWriter(tmp_path, Content(header=formats.Header(fields)))
     assert writer._stamp(0.25) == 1483228800_250_000_000  # Unix time of the start [ns]
-    assert _mcap.McapWriter(tmp_path, None, None)._stamp(0.25) == 250_000_000
+    assert _mcap.McapWriter(tmp_path, Content())._stamp(0.25) == 250_000_000
 
 
 def test_unix_times():

@@ -136,7 +136,7 @@ def test_echoes_have_the_class_of_the_part(write):
         ("2;6", "a.las", 'Classes has "2;6"; give classes from 0 to 255'),
         ("256", "a.las", 'Classes has "256"'),
         ("77", "a.las", "no points"),
-        ("", "c.laz", "c.laz: LAZ could not be converted to LAS: "),
+        ("", "c.laz", "c.laz: has no table of its 256 points at byte "),
         ("", "d.las", "d.las"),
     ],
 )

@@ -12,6 +12,7 @@ import pathlib
 import numpy as np
 
 from ..core.packages import load
+from ..core.words import counted
 from ..formats import FormatError
 
 torch = load("torch", "data sets of PyTorch need")
@@ -45,7 +46,8 @@ class ScanDataset(_data.Dataset):
         for path, count in ((poses, len(self.poses)), (sequence / "times.txt", len(self.times))):
             if count != len(self.files):
                 raise FormatError(
-                    f"{path}: has {count} lines for {len(self.files)} scans; export the run again"
+                    f"{path}: has {counted(int(count), 'line')} for {counted(len(self.files), 'scan')}; "
+                    "export the run again"
                 )
 
     def __len__(self):
@@ -65,7 +67,8 @@ class ScanDataset(_data.Dataset):
             words = _read_words(file, np.uint32, 1).astype(np.int64)
             if len(words) != len(rows):
                 raise FormatError(
-                    f"{file}: has {len(words)} labels for {len(rows)} points; export the run again"
+                    f"{file}: has {counted(len(words), 'label')} for {counted(len(rows), 'point')}; "
+                    "export the run again"
                 )
             element["labels"] = torch.from_numpy(words & 0xFFFF)
             element["instances"] = torch.from_numpy(words >> 16)

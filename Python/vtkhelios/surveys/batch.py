@@ -25,6 +25,7 @@ from ..core.pipeline import (
 )  # fmt: skip
 from ..core.rotation import quaternions_of
 from ..core.watching import Progress
+from ..core.words import counted
 from .inputs import scene_data
 from .items import SETTINGS, attributes
 from .scanning import make_survey
@@ -80,7 +81,7 @@ class Scans:
         return {name: values[begin:end] for name, values in self.arrays.items()}
 
     def __repr__(self):
-        return f"Scans({len(self):,} of {self.pulses:,} pulses, {len(self.points):,} echoes)"
+        return f"Scans({len(self):,} of {counted(self.pulses, 'pulse')}, {counted(len(self.points), 'echo')})"
 
 
 class Sensor:

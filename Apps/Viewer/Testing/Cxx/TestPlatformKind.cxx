@@ -81,7 +81,7 @@ TEST_CASE("PlatformKind: the wheels of a car are below the trajectory of its sca
   CHECK(legs[2].Height == 0.0);
 }
 
-TEST_CASE("PlatformKind: each kind has a model of its size; on the ground from z = 0")
+TEST_CASE("PlatformKind: each kind has a model of its size, on the ground from z = 0")
 {
   const std::pair<PlatformKind, double> sizes[] = { { PlatformKind::Tripod, 1.45 },
     { PlatformKind::Person, 2.0 }, { PlatformKind::Car, 4.4 }, { PlatformKind::Tractor, 4.0 },

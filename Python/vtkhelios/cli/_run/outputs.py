@@ -20,8 +20,9 @@ def find_fault(arguments):
     for output in OUTPUTS:
         formats = output.formats.split()
         if getattr(arguments, output.name) and arguments.format not in formats:
+            needed = ", ".join(formats[:-1]) + " or " * (len(formats) > 1) + formats[-1]
             return (
-                f"{output.option} needs --format {' or '.join(formats)}: files of the format "
+                f"{output.option} needs --format {needed}: files of the format "
                 f"{arguments.format} cannot have {output.title}"
             )
     return None

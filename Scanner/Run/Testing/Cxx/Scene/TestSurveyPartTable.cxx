@@ -343,14 +343,14 @@ TEST_CASE("SurveyPartTable: tables that are not valid", "[SurveyPartTable]")
 TEST_CASE("SurveyPartTable: other columns are not used", "[SurveyPartTable]")
 {
   const Files files;
-  files.Write("stand.csv", "x\ty\tY\tspecies\tmodel\n1\t2\t3\tQuercus robur\toak\n");
+  files.Write("stand.csv", "x\ty\tY\tcrown\tmodel\n1\t2\t3\tQuercus robur\toak\n");
   WriteScene(files, MakeTable(Models));
   const Reading reading(files, Tripod, Leg);
   INFO(reading.Log->Errors);
   CHECK(reading.Good);
   CHECK(reading.Data().Scene.Parts.size() == 2);
   CHECK(reading.Log->HasWarning(
-    "stand.csv:1: column \"species\" is unknown and not used; the columns are model, x, y, z"));
+    "stand.csv:1: column \"crown\" is unknown and not used; the columns are model, x, y, z"));
   CHECK(reading.Log->HasWarning("column \"Y\" is unknown and not used; did you mean y?"));
 }
 
