@@ -107,7 +107,9 @@ def test_a_card_within_a_beam_returns_its_share(folder):
 
 
 def test_info_and_validate_name_what_is_cut(folder, capsys):
-    scan(folder, "cut", [(0, 0, 0), (3, 0, 0)], 40, 1, 3e-4)  # the notes of one part are its scene's
+    scan(
+        folder, "cut", [(0, 0, 0), (3, 0, 0)], 40, 1, 3e-4
+    )  # the notes of one part are its scene's
     assert cli.main(["info", str(folder / "cut.obj")]) == 0
     share = (make_mask() > 0.5).mean()
     text = f'map_d mask.png of material "leaf" leaves {100 * share:.3g} % of 4 m2: 2 -> '

@@ -11,13 +11,14 @@ import functools
 import typing
 
 import numpy as np
-from vtkmodules.util.numpy_support import numpy_to_vtk, vtk_to_numpy
+from vtkmodules.util.numpy_support import vtk_to_numpy
 from vtkmodules.vtkCommonCore import vtkPoints
 from vtkmodules.vtkCommonDataModel import vtkCellArray, vtkPolyData
 from vtkmodules.vtkCommonExecutionModel import vtkAlgorithm
 
 from .. import _native
 from ..array_names import AMPLITUDE, OFFSETS, ORIENTATION, PART_IDS, PULSE_IDS, RANGE, SCENE_IDS
+from ..core.arrays import numpy_to_vtk
 from ..core.classes import vtk_class
 
 from ..core.pipeline import (
