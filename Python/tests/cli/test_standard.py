@@ -167,6 +167,11 @@ def test_info_of_standard_input():
     assert b"error: -: is not a LAS file" in done.stderr and b"/tmp" not in done.stderr
     done = run_vtkhelios("info", "-", "--json", data=TEXT.encode())
     assert json.loads(done.stdout)["file"] == "-"
+    done = run_vtkhelios("info", "-", data=b"LASF\x00\x00")
+    assert done.returncode == 1
+    assert (
+        done.stderr == b"error: -: begins as LAS, LAZ or COPC; give --from las, laz or copc.laz\n"
+    )
 
 
 def test_echoes_to_standard_output(make_survey, tmp_path):

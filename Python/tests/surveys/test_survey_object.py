@@ -495,3 +495,13 @@ def test_a_replaced_trajectory_need_not_exist(make_survey, tmp_path):
         [[t, 0, 20] for t in times], GpsTime=times, Orientation=[[1.0, 0, 0, 0]] * 3
     )
     assert len(vtkhelios.read_survey(path, trajectory=flight).run()) > 0
+
+
+@pytest.mark.parametrize(
+    "bad", [dict(scattering_orders=-1), dict(max_sub_rays=-5), dict(detector="nope")]
+)
+def test_a_refused_option_holds_for_its_call_only(survey, bad):
+    for legs in (None, [0]):
+        with pytest.raises(vtkhelios.PipelineError):
+            survey.run(legs=legs, pulse_step=2000, **bad)
+        assert len(survey.run(legs=[0], pulse_step=2000).points) > 0

@@ -103,7 +103,15 @@ def inspect_standard(arguments, messages):
     """Describes points of standard input; returns the exit code."""
     with folder_of_standard() as folder:
         given = str(read_input(folder / f"standard-input.{arguments.source_format}"))
+        if not arguments.source_format.endswith(("las", "laz")) and starts_as_las(given):
+            messages.error("-: begins as LAS, LAZ or COPC; give --from las, laz or copc.laz")
+            return 1
         return inspect_points(given, arguments, messages, lambda text: text.replace(given, NAME))
+
+
+def starts_as_las(path):
+    with open(path, "rb") as file:
+        return file.read(4) == b"LASF"
 
 
 def inspect_points(path, arguments, messages, label=str):

@@ -407,9 +407,15 @@ class Survey:
             log.watch(source)
             log.watch(source.GetExecutive())
             succeeded, _ = _native.run(source, what, [source], callback, SECONDS_BETWEEN_SIGNS)
-        conclude(log, stacklevel=5, warn=self.warn)
-        if not succeeded:
-            raise PipelineError(["the survey cannot be run, for a reason that was not reported"])
+        try:
+            conclude(log, stacklevel=5, warn=self.warn)
+            if not succeeded:
+                raise PipelineError(
+                    ["the survey cannot be run, for a reason that was not reported"]
+                )
+        except PipelineError:
+            _set_options(source, {})  # those of this run may be why; the next call starts without
+            raise
 
     def __repr__(self):
         legs = self.legs

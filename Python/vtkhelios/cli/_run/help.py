@@ -15,7 +15,7 @@ what it writes, below OUTPUT/<name of the survey>/, for every active leg:
   legNNN_hits.pvtp        the hits of sub-rays, with --hits: points with PulseIds, Weight (share of
                           the pulse), Range [m], CellIds, IncidenceAngle [deg]
 Legs with the same stripId write to one file each: stripNNN_points.xyz and so on.
-With --format las: legNNN_points.las, LAS 1.4 with all attributes of an echo (Docs/files.md), point
+With --format las or laz: legNNN_points.las or .laz, LAS 1.4 with all attributes of an echo (Docs/files.md), point
 format 6 or 7, which all programs read. With --waveforms legNNN_fullwave.las beside it, the same
 points with waveforms, point format 9 or 10, and their samples in legNNN_fullwave.wdp; PDAL and
 QGIS refuse these formats. With --waveforms-in-points legNNN_points.las has format 9 or 10, with
