@@ -31,7 +31,7 @@ SUMMARY = "re-run echo detection on stored waveforms, with another detector or t
 
 EPILOG = """\
 what it reads: legNNN_fullwave.pvtt or .txt as vtkhelios run --waveforms writes them, or with
---one-way the legNNN_fullwave.txt of HELIOS++, whose times are one-way. Also LAS with waveforms
+--one-way the legNNN_fullwave.txt of HELIOS++, whose times are one-way. Also LAS or LAZ with waveforms
 (point formats 4, 5, 9 and 10, with their .wdp) and PulseWaves 0.3 (.pls with .wvs), of vtkHelios or
 of an instrument; these are read as a whole. Samples of an instrument are in a unit of its own, of
 which 1 counts as 1 W: --threshold 8e9 is 8 of them.

@@ -42,7 +42,7 @@ bicyclist 31, pole 80, sign 81, fence 51, house 50 ...), by words in the names o
 trunk ... are trunk 71, leaf, needle ... vegetation 70), and by class (terrain, vegetation, building,
 road ...). With --motion of the run, what moves has its own (moving car 252, bicyclist 253, person 254
 ...). Instances are parts; parts mounted on others belong to their carriers. Runs as text do not store
-the names of materials: give their numbers, or run with --format las or vtp.
+the names of materials: give their numbers, or run with --format las, laz or vtp.
 
 --labels FILE (JSON): {"parts": {"kiosk": 50, "7": 10}, "materials": {"bark": 71, "3": 70},
 {indent}"classes": {"2": 72}, "moving": {"10": 252}}; it extends these tables.

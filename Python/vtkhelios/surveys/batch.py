@@ -138,6 +138,7 @@ class Sensor:
         with MessageLog() as log, Progress(progress) as watched:
             log.watch(self._batch)
             log.watch(self._source)
+            log.watch(self._batch.GetExecutive())
             _native.run(self._batch, 0, [self._batch], watched.callback, SECONDS_BETWEEN_SIGNS)
         conclude(log)
         output, taken = self._batch.GetOutputDataObject(0), vtkPolyData()

@@ -414,7 +414,7 @@ class Survey:
                     ["the survey cannot be run, for a reason that was not reported"]
                 )
         except PipelineError:
-            _set_options(source, {})  # those of this run may be why; the next call starts without
+            _set_options(source, {})  # an option may be the cause, and is not kept
             raise
 
     def __repr__(self):

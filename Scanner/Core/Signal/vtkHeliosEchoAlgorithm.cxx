@@ -33,7 +33,7 @@ const std::vector<Row>& vtkHeliosEchoAlgorithm::GetOutputRows()
     "also write the waveforms (as text, as VTK XML, or as LAS with point format 9 or 10)" },
   { &Outputs::WaveformsInPoints, "waveforms_in_points", "", "WaveformsInPoints", "waveformsInPoints", true,
     "", "las laz", "waveforms in the files of points", "yes",
-    "with --format las --waveforms: only legNNN_points.las, with point format 9 or 10, which PDAL and QGIS "
+    "with --format las or laz and --waveforms: only legNNN_points.las, with point format 9 or 10, which PDAL and QGIS "
     "refuse (default: point format 6 or 7, and legNNN_fullwave.las)" },
   { &Outputs::ScanFlags, "scan_flags", "GenerateScanFlags", "WriteScanFlags", "scanFlags", true,
     "ScanDirectionFlag EdgeOfFlightLine", "xyz las laz vtp", "scan direction and edge flags", "written",
@@ -45,7 +45,7 @@ const std::vector<Row>& vtkHeliosEchoAlgorithm::GetOutputRows()
     "and 15 after those of --scan-flags, in LAS as RIEGL names them" },
   { &Outputs::Colors, "colors", "GenerateColors", "WriteColors", "colors", false,
     "RGB", "las laz vtp", "colours of surfaces", "written, as RGB",
-    "echoes with the colour of the surface, Kd and map_Kd of OBJ files, as RGB; with --format las or vtp" },
+    "echoes with the colour of the surface, Kd and map_Kd of OBJ files, as RGB; with --format las, laz or vtp" },
   { &Outputs::Pulses, "pulses", "GeneratePulses", "WritePulses", "pulses", true,
     "", "xyz las laz vtp", "pulses", "written",
     "also write the pulses, including those without a hit" },
