@@ -94,8 +94,8 @@ void EditTool::MakeActions()
   this->Actions["KP_Enter"] = this->Actions["Return"];
   this->Actions["s"] = [](EditTool& tool)
   {
-    const std::string problem = tool.Save();
-    problem.empty() ? void() : tool.Owner.ShowError(problem);
+    const Status status = tool.Save();
+    status.IsOk() ? void() : tool.Owner.ShowError(status.Message());
   };
   this->PartActions["Up"] = [](EditTool& tool) { tool.MovePart(0.0, 1.0); };
   this->PartActions["Down"] = [](EditTool& tool) { tool.MovePart(0.0, -1.0); };
@@ -344,11 +344,11 @@ void EditTool::Scan()
 }
 
 //------------------------------------------------------------------------------
-std::string EditTool::Save()
+Status EditTool::Save()
 {
   if (!this->HasBegun && !this->Begin())
   {
-    return "there is nothing to save: open a survey or a scene, and wait for it";
+    return Status::Error("there is nothing to save: open a survey or a scene, and wait for it");
   }
   const fs::path file = this->Owner.GetOptions().Save;
   vtkNew<vtkHeliosSurvey> owner;
@@ -370,7 +370,7 @@ std::string EditTool::Save()
     this->Saved = file.string();
     this->Owner.ShowMessage("saved: vtkhelios run " + this->Saved);
   }
-  return status.Message();
+  return status;
 }
 
 //------------------------------------------------------------------------------

@@ -38,7 +38,7 @@ public:
   void Place() override;
   bool OnFrame() override;
   void OnNewSurvey() override;
-  std::string Save() override;
+  Status Save() override;
   void Describe(Json::Value& state) const override;
 
 private:

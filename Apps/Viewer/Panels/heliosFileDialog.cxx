@@ -84,8 +84,9 @@ void FileDialog::SetText(const std::string& text)
 //------------------------------------------------------------------------------
 void FileDialog::Finish(const std::string& path)
 {
-  this->Hint = this->OnDone(path);
-  this->IsShown = !this->Hint.empty();
+  const Status status = this->OnDone(path);
+  this->Hint = status.Message();
+  this->IsShown = !status.IsOk();
 }
 
 //------------------------------------------------------------------------------

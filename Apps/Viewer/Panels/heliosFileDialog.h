@@ -7,6 +7,7 @@
 
 #include "heliosFileList.h"
 #include "heliosPanel.h"
+#include "heliosStatus.h"
 
 #include <functional>
 #include <string>
@@ -21,8 +22,8 @@ namespace helios::viewer
 class FileDialog : public Panel
 {
 public:
-  /// Receives the file; returns an error, which the dialog shows, or an empty text.
-  using Done = std::function<std::string(const std::string& path)>;
+  /// Receives the file; the dialog shows an error, and stays open.
+  using Done = std::function<Status(const std::string& path)>;
 
   /// Opens the dialog in the folder of a file, for one that exists.
   void Open(const std::string& fileName, const FileKind& kind, Done done);

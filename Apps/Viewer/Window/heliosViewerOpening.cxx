@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
 // Opens other inputs, and asks for names of files.
-#include "heliosStatus.h"
 #include "heliosViewer.h"
 
 #include "heliosCloudView.h"
@@ -9,6 +8,7 @@
 #include "heliosPlatformView.h"
 #include "heliosSceneMover.h"
 #include "heliosSceneView.h"
+#include "heliosStatus.h"
 #include "heliosViewerInputs.h"
 #include "heliosViewerTool.h"
 
@@ -63,7 +63,7 @@ void Viewer::OpenInputDialog()
   std::error_code error;
   const fs::path shown = this->Options.Inputs.empty() ? "" : this->Options.Inputs.front();
   this->Words->GetDialog().Open(fs::absolute(shown, error).string(), FindInputKind,
-    [this](const std::string& path) { return this->OpenInput(path).Message(); });
+    [this](const std::string& path) { return this->OpenInput(path); });
   this->Redraw();
 }
 
@@ -83,12 +83,12 @@ void Viewer::OpenSurveyDialog()
       this->Options.Save = fs::path(path).has_extension() ? path : path + ".xml";
       for (const auto& tool : this->Tools)
       {
-        if (const std::string problem = tool->Save(); !problem.empty())
+        if (const Status status = tool->Save(); !status.IsOk())
         {
-          return problem;
+          return status;
         }
       }
-      return std::string();
+      return Status();
     });
   this->Redraw();
 }
@@ -104,7 +104,7 @@ void Viewer::OpenStillDialog()
     {
       this->Words->GetDialog().Close(); // not in the picture
       this->SaveStill(fs::path(path).has_extension() ? path : path + ".png");
-      return std::string();
+      return Status();
     });
   this->Redraw();
 }

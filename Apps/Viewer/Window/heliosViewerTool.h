@@ -7,6 +7,7 @@
 
 #include "heliosLegend.h"
 #include "heliosMenu.h"
+#include "heliosStatus.h"
 
 #include <json/forwards.h>
 
@@ -58,8 +59,8 @@ public:
   /// Discards the data of the last survey: another one is shown.
   virtual void OnNewSurvey() {}
 
-  /// Saves what it has edited, if anything; returns the problem, or an empty text.
-  virtual std::string Save() { return {}; }
+  /// Saves what it has edited.
+  virtual Status Save() { return {}; }
 
   /// Returns a line for the status; empty: none.
   virtual std::string GetStatus() const { return {}; }

@@ -14,7 +14,7 @@ namespace
 constexpr std::size_t ItemsBegin = 34; // in the data of the record
 constexpr std::size_t ItemSize = 6;
 
-/// Compressors; 0 is none.
+/// The ways in which points are compressed; 0: they are not.
 enum Compressor
 {
   Pointwise = 1,

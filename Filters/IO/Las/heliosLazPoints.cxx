@@ -182,7 +182,7 @@ void LazPoints::SetBegins()
   }
 }
 
-/// Divides points among chunks; the first part goes on with the last decoder, if it can.
+/// Divides points among chunks; the first part continues with the last decoder, if it can.
 std::vector<LazPoints::Part> LazPoints::FindParts(
   std::uint64_t first, std::uint64_t count, char* bytes)
 {

@@ -28,6 +28,11 @@ def test_laz_gives_the_echoes_of_las(packets, fullwave, tmp_path):
     assert (tmp_path / "las.xyz").stat().st_size > 1000
 
 
+def test_a_missing_pulse_length_names_the_option(fullwave, tmp_path, capsys):
+    assert cli.main(["detect", str(fullwave), "-o", str(tmp_path / "a.xyz")]) == 1
+    assert "not a positive number of ns; give --pulse-length" in capsys.readouterr().err
+
+
 def test_files_without_waveforms_are_one_error(fullwave, tmp_path, capsys):
     pytest.importorskip("lazrs")
     points = fullwave.with_name("leg000_points.las")

@@ -3,6 +3,7 @@
 """vtkhelios validate: its errors, their positions, and exit codes."""
 
 import json
+import re
 
 import pytest
 
@@ -124,6 +125,16 @@ def test_legs_are_checked_despite_scanner_errors(validate):
     turned = [line for line in lines if "never reaches it" in line]
     assert len(turned) == 1 and turned[0].startswith("a.xml:9: error: ")
     assert not [line for line in lines if "a.xml:6" in line]  # the template's error is not its own
+
+
+def test_legs_of_an_unknown_scanner_have_no_errors_of_its_limits(validate, make_survey):
+    text = make_survey().read_text()
+    text = re.sub(r'scanner="[^"]*"', 'scanner="#nope"', text)
+    text = re.sub(r'headRotatePerSec_deg="[^"]*"', "", text)
+    resolution = '<scannerSettings verticalResolution_deg="0.1" horizontalResolution_deg="0.1"'
+    _, lines = validate(text.replace("<scannerSettings", resolution, 1))
+    assert 'has no <scanner> with the id "nope"' in lines[0]
+    assert lines[-1] == "1 file: 1 error, 0 warnings", lines
 
 
 def test_errors_of_each_leg(validate):

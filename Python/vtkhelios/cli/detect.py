@@ -187,6 +187,7 @@ def run_to_file(arguments):
         pieces = count_pieces(reader, arguments.waveforms)
         detection = make_detection(arguments, reader)
         messages.watch(detection)
+        name_options(messages)
         writer = make_writer(arguments.output)
         messages.watch(writer)
         set_outcome(f"{arguments.output} was not written")
@@ -226,6 +227,14 @@ def make_detection(arguments, reader):
     getattr(detection, return_selections()[arguments.returns])()
     detection.SetMaximumNumberOfReturns(arguments.max_returns)
     return detection
+
+
+def name_options(messages):
+    """Errors of the filter name the options of the command, not the properties of the class."""
+    write = messages.write_error
+    messages.write_error = lambda text: write(
+        text.replace("set the property PulseLength", "give --pulse-length")
+    )
 
 
 def make_writer(path):

@@ -49,14 +49,14 @@ void LimitTrajectory(LegData& leg, bool fires, Messages& log)
 /// Returns a scanner that supports all settings of a leg.
 ScannerData MakeAbleScanner(const LegSettings& leg, Optics type)
 {
-  const double minimum = std::numeric_limits<double>::min();
+  constexpr double unlimited = std::numeric_limits<double>::infinity();
   ScannerData scanner;
   scanner.Type = type;
   scanner.PulseFrequencies = { std::isnan(leg.PulseFrequency) ? 1.0 : leg.PulseFrequency };
   scanner.ScanAngleMax = 360.0;
   scanner.ScanAngleEffectiveMax = 360.0;
-  scanner.HeadRotateSpeedMax = std::max(std::abs(leg.Scan.HeadRotateSpeed), minimum);
-  scanner.ScanProduct = std::numeric_limits<double>::infinity();
+  scanner.HeadRotateSpeedMax = unlimited; // resolutions require any speed
+  scanner.ScanProduct = unlimited;
   return scanner;
 }
 

@@ -59,7 +59,7 @@ struct OpenDialog : Folder
       [this](const std::string& path)
       {
         this->Opened.push_back(path);
-        return this->Problem;
+        return this->Problem.empty() ? helios::Status() : helios::Status::Error(this->Problem);
       });
   }
 
@@ -215,7 +215,7 @@ TEST_CASE("FileDialog: a name that exists is saved after a second press only")
   const auto save = [&saved](const std::string& path)
   {
     saved.push_back(path);
-    return std::string();
+    return helios::Status();
   };
   dialog.SaveAs((folder.Path / "a.xml").string(), kind, save);
   CHECK(dialog.GetText() == "a.xml");
@@ -253,8 +253,8 @@ TEST_CASE("FileDialog: long lists follow the selection and the wheel")
     folder.Write("cloud" + std::to_string(100 + i) + ".xyz", "1 2 3\n");
   }
   FileDialog dialog;
-  dialog.Open(
-    (folder.Path / "cloud150.xyz").string(), FindInputKind, [](const std::string&) { return ""; });
+  dialog.Open((folder.Path / "cloud150.xyz").string(), FindInputKind,
+    [](const std::string&) { return helios::Status(); });
   CHECK(dialog.GetList().GetEntry()->Name == "cloud150.xyz"); // the one that is shown
   dialog.OnKey("End", 0);
   CHECK(dialog.GetList().GetEntry()->Name == "yard.las");

@@ -234,7 +234,8 @@ TEST_CASE("Hud: an open dialog takes the presses, and hides the panels")
 {
   HudWindow window;
   window.Panels.GetDialog().Open(
-    "/none", [](const std::string&) { return ""; }, [](const std::string&) { return ""; });
+    "/none", [](const std::string&) { return ""; },
+    [](const std::string&) { return helios::Status(); });
   window.Place();
   CHECK_FALSE(window.Panels.GetRect(PanelId::Dialog).IsEmpty());
   CHECK(window.Panels.GetRect(PanelId::Legend).IsEmpty());
