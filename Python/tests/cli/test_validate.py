@@ -167,7 +167,7 @@ def test_empty_files(validate):
     assert "this is not XML" in validate("<document>")[1][0]
     code, lines = validate("<document/>", "nowhere.xml")
     assert code == 1
-    assert lines[-2].startswith("nowhere.xml: error: cannot be read") and "2 files" in lines[-1]
+    assert lines[-2].startswith("nowhere.xml: error: no such file") and "2 files" in lines[-1]
 
 
 def test_duplicates_and_a_second_root_do_not_hide_other_errors(validate):

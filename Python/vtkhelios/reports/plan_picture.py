@@ -2,10 +2,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A picture of a plan: the scene by its number of scans, and by their best incidence angle.
 
-Every pixel has the colour of the nearest test point; the positions are marked. Without an
-X display a virtual one is started, see vtkhelios.picture.
+Every pixel has the colour of the nearest test point, grey if there is none nearby; the positions
+are marked. A plan of a small part of a scene is shown alone. Without an X display a virtual one is
+started, see vtkhelios.picture.
 """
-
 
 import numpy as np
 from vtkmodules.util.numpy_support import vtk_to_numpy
@@ -23,6 +23,9 @@ from .picture import BACKGROUND_BOTTOM, BAR, HEIGHTS, MARK, OVERSAMPLING, TEXT, 
 from .plan_colours import NOT_COVERABLE, SCANS, UNSEEN
 
 MAXIMUM_NUMBERS = 40  # positions with a number beside them
+NEARBY = 3.0  # steps between test points; beyond is outside of the plan
+OUTSIDE = (0.24, 0.26, 0.29)
+SMALL = 0.6  # of the width and depth of the scene; a smaller plan is shown alone
 
 
 def save_picture(
@@ -43,7 +46,8 @@ def save_picture(
         raise RuntimeError(picture.NO_DISPLAY)
     points = arrays(test_points)
     marks = arrays(positions)["points"]
-    view = View(scene, (size[0] // 2, size[1]), azimuth, elevation)
+    places = np.concatenate([points["points"], marks])
+    view = View(scene, (size[0] // 2, size[1]), azimuth, elevation, places)
     nearest = view.find_nearest(points["points"], points.get(NORMAL))
     panels = [
         view.draw(colours, nearest, marks)
@@ -79,12 +83,12 @@ def ramp(share):
 
 
 class View:
-    """A scene seen by a camera: the position of each pixel."""
+    """A scene, or its part about some places, seen by a camera: the position of each pixel."""
 
-    def __init__(self, scene, size, azimuth, elevation):
+    def __init__(self, scene, size, azimuth, elevation, places=None):
         is_traced = has_instances(scene)  # not drawn: there may be very many triangles
         box = Scene(scene).bounds if is_traced else np.reshape(scene.GetBounds(), (3, 2)).T
-        low, high = box
+        low, high = box if places is None else find_box(box, places)
         self.origin = (low + high) / 2  # the graphics card computes in float
         renderer = rendering.vtkRenderer()
         if not is_traced:
@@ -112,7 +116,7 @@ class View:
         return np.array([cast(caster, eye, row) for row in self.make_rays(width, height)])
 
     def find_nearest(self, points, normals):
-        """Returns the test point nearest to each pixel; -1 for the background.
+        """Returns the test point nearest to each pixel; -1 for the background, -2 if it is far.
 
         Both are moved slightly off the surface, so that a thin wall has two sides.
         """
@@ -121,7 +125,10 @@ class View:
         drawn = np.isfinite(self.distance)
         places = self.unproject(0.25 * step)[drawn]
         nearest = np.full(self.distance.shape, -1)
-        nearest[drawn] = interpolate(points - self.origin + shift, places)
+        shifted = points - self.origin + shift
+        found = interpolate(shifted, places)
+        is_far = np.linalg.norm(shifted[found] - places, axis=1) > NEARBY * step
+        nearest[drawn] = np.where(is_far, -2, found)
         return nearest
 
     def unproject(self, towards):
@@ -142,7 +149,8 @@ class View:
 
     def draw(self, colours, nearest, marks):
         """Returns the scene in the colours of the test points, and the marks."""
-        rgb = np.where(nearest[..., None] >= 0, colours[nearest], 0.0)
+        rgb = np.where(nearest[..., None] == -2, OUTSIDE, colours[nearest])
+        rgb = np.where(nearest[..., None] == -1, 0.0, rgb)
         image = picture.shade(rgb, self.distance, self.camera.GetViewAngle())
         overlay = rendering.vtkRenderer()
         overlay.SetActiveCamera(self.camera)
@@ -173,6 +181,15 @@ class View:
         )
         text.GetTextProperty().BoldOn()
         return text
+
+
+def find_box(box, places):
+    """Returns the box to show: that of the scene, or of places in a small part of it."""
+    low, high = places.min(axis=0), places.max(axis=0)
+    if ((high - low)[:2] > SMALL * (box[1] - box[0])[:2]).any():
+        return box
+    margin = 0.1 * np.linalg.norm(high - low)
+    return np.maximum(low - margin, box[0]), np.minimum(high + margin, box[1])
 
 
 def make_actor(scene, origin):

@@ -114,7 +114,9 @@ std::unique_ptr<XmlDocument> XmlDocument::Load(const std::string& path, Messages
   std::ifstream file(path, std::ios::binary);
   if (!file)
   {
-    messages.Error(path + ": cannot be read; give the name of an XML or YAML file");
+    const bool isThere = !StampFile(path).empty();
+    messages.Error(path + (isThere ? ": cannot be read" : ": no such file") +
+      "; give the name of an XML or YAML file");
     return nullptr;
   }
   return XmlDocument::Make(path,

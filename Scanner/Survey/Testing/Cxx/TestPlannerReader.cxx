@@ -400,7 +400,8 @@ TEST_CASE("PlannerReader: bad files are errors", "[PlannerReader]")
           .Log->HasError("platform tripod carries the scanner -1.3 m above the scan position, but "
                          "the height must be above 0"));
   CHECK(PlannerReading(files, "assets.xml").Log->HasError("the file has nothing to plan"));
-  CHECK(PlannerReading(files, "none.xml").Log->HasError("none.xml: cannot be read"));
+  CHECK(PlannerReading(files, "none.xml")
+          .Log->HasError("none.xml: no such file; give the name of an XML or YAML file"));
   CHECK(PlannerReading(files, "none.obj", true)
           .Log->HasError("none.obj: no such file; give the name of an existing mesh"));
 }

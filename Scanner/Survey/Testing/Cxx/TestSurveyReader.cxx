@@ -305,7 +305,7 @@ TEST_CASE("SurveyReader: input that is not XML, or of another kind", "[SurveyRea
     CheckRefused(files, document.Messages);
   }
   fs::remove(files / "survey.xml");
-  CheckRefused(files, { "survey.xml: cannot be read" });
+  CheckRefused(files, { "survey.xml: no such file; give the name of an XML or YAML file" });
   fs::create_directory(files / "survey.xml");
   CheckRefused(files, { "survey.xml: cannot be read" });
   vtkNew<vtkHeliosSurveyReader> reader;
