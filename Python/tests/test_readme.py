@@ -19,7 +19,7 @@ def read_readme(*arguments):
 
 def needs_no_display(command):
     kind = command.split()[1]
-    return kind in ("new", "run", "plan", "convert", "report") or "--html" in command
+    return kind in ("new", "run", "plan", "convert", "report", "export") or "--html" in command
 
 
 def test_first_scene(command_line, tmp_path):
@@ -30,7 +30,8 @@ def test_first_scene(command_line, tmp_path):
         if re.search("my_|yard|street", command) and needs_no_display(command)
     ]
     kinds = [command[0] for command in commands]
-    assert kinds == ["new", "run", "run", "run", "view", "plan", "plan", "convert", "report"]
+    whole = ["new", "run", "run", "run", "view", "plan", "plan", "convert", "report", "export"]
+    assert kinds == whole
     first = commands.index(["run", "my_survey.xml"])
     done = command_line(*commands[first], cwd=tmp_path)
     assert done.returncode == 0, done.stderr

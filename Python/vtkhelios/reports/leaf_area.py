@@ -44,7 +44,7 @@ def _profile_lines(found):
         value = f"{row['pad']:.3f} ± {row['pad_error']:.3f}"
         yield f"{row['height']:9.2f}  {value:16}  {100 * row['seen']:4.0f} %  {bar}".rstrip()
     if step > 1:
-        yield f"(one of {step} layers; {len(rows)} in all)"
+        yield f"(one layer of {step} is printed; {len(rows)} in all)"
 
 
 def draw_profile(found):
