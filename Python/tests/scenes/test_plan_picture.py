@@ -42,8 +42,8 @@ places = view.unproject(0.0)[..., :2] + view.origin[:2]
 outside = np.maximum(np.abs(places) - 9, 0)
 distance = np.hypot(outside[..., 0], outside[..., 1])[nearest != -1]
 found = nearest[nearest != -1]
-print((distance < 5.5).sum(), (found[distance < 5.5] == -2).sum(),
-      (distance > 6.5).sum(), (found[distance > 6.5] >= 0).sum())
+print((distance < 3.5).sum(), (found[distance < 3.5] == -2).sum(),
+      (distance > 4.5).sum(), (found[distance > 4.5] >= 0).sum())
 colours = np.tile([1.0, 0.0, 0.0], (len(points), 1))
 image = view.draw(colours, nearest, points[:1])
 red = image[..., 0] > 2 * image[..., 1]
@@ -52,7 +52,7 @@ print((red & (nearest < 0)).sum(), (~red & (nearest >= 0)).mean())
 
 
 def test_what_is_far_from_test_points_is_outside():
-    """A plan in the middle of a square: beyond three steps of 2 m there is no colour of a scan."""
+    """A plan in the middle of a square: beyond two steps of 2 m there is no colour of a scan."""
     if not shutil.which("xvfb-run"):
         pytest.skip("xvfb-run is missing")
     done = subprocess.run(

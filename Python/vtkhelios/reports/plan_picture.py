@@ -23,7 +23,7 @@ from .picture import BACKGROUND_BOTTOM, BAR, HEIGHTS, MARK, OVERSAMPLING, TEXT, 
 from .plan_colours import NOT_COVERABLE, SCANS, UNSEEN
 
 MAXIMUM_NUMBERS = 40  # positions with a number beside them
-NEARBY = 3.0  # steps between test points; beyond is outside of the plan
+NEARBY = 2.0  # of the larger steps between test points; beyond is outside of the plan
 OUTSIDE = (0.24, 0.26, 0.29)
 SMALL = 0.6  # of the width and depth of the scene; a smaller plan is shown alone
 
@@ -127,7 +127,8 @@ class View:
         nearest = np.full(self.distance.shape, -1)
         shifted = points - self.origin + shift
         found = interpolate(shifted, places)
-        is_far = np.linalg.norm(shifted[found] - places, axis=1) > NEARBY * step
+        reach = NEARBY * find_step(points, 0.95)
+        is_far = np.linalg.norm(shifted[found] - places, axis=1) > reach
         nearest[drawn] = np.where(is_far, -2, found)
         return nearest
 
@@ -239,8 +240,8 @@ def fill_view(camera, corners, aspect):
         camera.Zoom(zoom)
 
 
-def find_step(points):
-    """Returns the distance of neighbouring test points: the median of some."""
+def find_step(points, share=0.5):
+    """Returns the distance of neighbouring test points: the median, or another quantile, of some."""
     data = vtkPolyData()
     data.SetPoints(make_points(points))
     locator = vtkStaticPointLocator()
@@ -253,7 +254,7 @@ def find_step(points):
         if found.GetNumberOfIds() == 2:
             other = max(found.GetId(0), found.GetId(1), key=lambda i: abs(points[i] - place).max())
             distances.append(np.linalg.norm(points[other] - place))
-    return float(np.median(distances)) if distances else 1.0
+    return float(np.quantile(distances, share)) if distances else 1.0
 
 
 def interpolate(points, places):
