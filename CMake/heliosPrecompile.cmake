@@ -15,10 +15,11 @@ set(vtkhelios_precompiled
 # ccache.
 set(vtkhelios_precompile_options -pthread $<$<CXX_COMPILER_ID:GNU>:-fpch-preprocess>)
 
-# helios_add_precompiled(<target> [OPTIONS option...] [HEADERS header...])
-# A library without code whose precompiled headers others use; their options must be the same.
+# helios_add_precompiled(<target> [OPTIONS option...] [HEADERS header...] [LIBRARIES library...])
+# A library without code whose precompiled headers others use; their options must be the same. HEADERS are
+# of LIBRARIES, and added to the common ones.
 function(helios_add_precompiled target)
-  cmake_parse_arguments(arg "" "" "OPTIONS;HEADERS" ${ARGN})
+  cmake_parse_arguments(arg "" "" "OPTIONS;HEADERS;LIBRARIES" ${ARGN})
   if(NOT VTKHELIOS_PRECOMPILE_HEADERS)
     return()
   endif()
@@ -26,9 +27,8 @@ function(helios_add_precompiled target)
   add_library(${target} OBJECT "${CMAKE_BINARY_DIR}/${target}.cxx")
   target_compile_options(${target} PRIVATE ${vtkhelios_precompile_options} ${arg_OPTIONS})
   # Include directories only: compile definitions differ, and no header here uses them.
-  foreach(library IN ITEMS VTK::CommonCore HeliosCatch2::HeliosCatch2 Python3::Module)
-    target_include_directories(${target} SYSTEM PRIVATE
-      $<$<TARGET_EXISTS:${library}>:$<TARGET_PROPERTY:${library},INTERFACE_INCLUDE_DIRECTORIES>>)
+  foreach(library IN ITEMS VTK::CommonCore LISTS arg_LIBRARIES)
+    target_include_directories(${target} SYSTEM PRIVATE $<TARGET_PROPERTY:${library},INTERFACE_INCLUDE_DIRECTORIES>)
   endforeach()
   target_precompile_headers(${target} PRIVATE ${vtkhelios_precompiled} ${arg_HEADERS})
 endfunction()

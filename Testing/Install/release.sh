@@ -12,13 +12,14 @@
 #   --release NAME    bookworm or trixie; repeatable (default: both)
 #   --python PYTHON   a CPython with headers for one more wheel; repeatable (default: python3.12 and
 #                     python3.13 where this system has them)
-#   --folder FOLDER   of the two, about 10 GB each; default: vtkhelios-release in $TMPDIR or /tmp
+#   --folder FOLDER   of these, about 10 GB a release; default: vtkhelios-release in $TMPDIR or /tmp
 #   --mirror MIRROR   of Debian's packages; default: the first one of this system
 #   --no-test         build without trying
 #   --list            prints what would be made, and makes nothing
 #
 # Wheels are built on bookworm: for its own Python, 3.11, and for each PYTHON, whose prefix is shown
-# in that Debian. The exit code is not 0 if a part failed.
+# in that Debian. What is in the folder is used again. Each Debian has a cache of ccache, or that of
+# CCACHE_DIR if this is set. The exit code is not 0 if a part failed.
 
 set -euo pipefail
 here=$(cd -P "$(dirname "${BASH_SOURCE[0]}")" && pwd)
@@ -29,7 +30,7 @@ source "$source/Apps/debian_root.sh"
 source "$here/times.sh"
 dist=$source/dist
 
-usage() { sed -n 's/^# \{0,1\}//; 4,23p' "$here/release.sh"; }
+usage() { sed -n 's/^# \{0,1\}//; 4,22p' "$here/release.sh"; }
 fail() { echo "$1" >&2 && usage >&2 && exit 2; }
 
 read_arguments() {
@@ -57,20 +58,20 @@ read_arguments() {
     case $part in bookworm | trixie) ;; *) fail "$part is not a release: bookworm or trixie" ;; esac
   done
   folder=$(realpath -m "${folder:-${TMPDIR:-/tmp}/vtkhelios-release}")
-  find_pythons
+  found=()
+  ! has wheels || find_pythons
 }
 
 # The Pythons of more wheels, as their programs: a shim of a version manager is none.
 find_pythons() {
   local given=("${pythons[@]}") name program
   [ ${#given[@]} -gt 0 ] || given=(python3.12 python3.13)
-  found=()
   for name in "${given[@]}"; do
     program=$("$name" -c 'import os, sys, sysconfig
 assert os.path.exists(sysconfig.get_path("include") + "/Python.h")
 print(os.path.realpath(sys.executable))' 2>/dev/null) && found+=("$program") && continue
     [ ${#pythons[@]} -eq 0 ] || fail "$name is no CPython with headers"
-    echo "$name is not here, or without headers: no wheel for it"
+    [ -n "${HELIOS_OWN_MOUNTS:-}" ] || echo "$name is not here, or without headers: no wheel for it"
   done
 }
 
@@ -89,16 +90,28 @@ list() {
 enter_clone() {
   helios_make_root "$1" "$folder/$1" "$mirror"
   helios_enter sh -c 'command -v git >/dev/null || { apt-get update -q && apt-get install -y -q --no-install-recommends git ca-certificates; }' >/dev/null
-  mkdir -p "$helios_root/mnt/source"
-  mount --bind "$source" "$helios_root/mnt/source"
+  show_folder "$source" /mnt/source
   helios_enter git config --global safe.directory '*'
   [ -d "$helios_root/opt/vtkhelios/.git" ] ||
     helios_enter git clone -q --no-hardlinks --no-checkout /mnt/source /opt/vtkhelios
   in_clone git fetch -q /mnt/source HEAD
   in_clone git checkout -q --force --detach FETCH_HEAD
+  [ -z "${CCACHE_DIR:-}" ] || show_folder "$(realpath "$CCACHE_DIR")" /root/.cache/ccache
+}
+
+# show_folder FOLDER AS: a folder of this system, in that Debian.
+show_folder() {
+  mkdir -p "$1" "$helios_root$2"
+  mount --bind "$1" "$helios_root$2"
 }
 
 in_clone() { helios_enter env -C /opt/vtkhelios "$@"; }
+
+# The build of the packages, which the site and the trial of the wheels need, too.
+build_clone() {
+  in_clone bash -c '. Apps/setup.sh && helios_setup && helios_configure release "$(helios_warnings OFF)" &&
+    helios_build release vtkhelios_package vtkhelios-viewer'
+}
 
 # copy_built PATTERN FOLDER: files of the clone, to a folder of dist.
 copy_built() {
@@ -131,21 +144,21 @@ show_prefix() { # PYTHON
   local prefix
   [ "$1" != /usr/bin/python3 ] || return 0
   prefix=$("$1" -c 'import sys; print(sys.base_prefix)')
-  mkdir -p "$helios_root$prefix"
-  mount --bind "$prefix" "$helios_root$prefix"
+  show_folder "$prefix" "$prefix"
 }
 
 # Beside Debian's own build and PyPI's VTK: test_wheel.py.
 try_wheel() { # PYTHON
   enter_clone bookworm
   show_prefix "$1"
-  [ -x "$helios_root/opt/vtkhelios/build/bin/vtkhelios" ] || in_clone Apps/demo.sh
+  build_clone
+  helios_enter sh -c 'python3 -c "import pytest" 2>/dev/null || apt-get install -y -q --no-install-recommends python3-pytest' >/dev/null
   in_clone env HELIOS_PYTHON="$1" build/venv/bin/python -m pytest -q Python/wheel/test_wheel.py
 }
 
 make_site() {
   enter_clone bookworm
-  [ -x "$helios_root/opt/vtkhelios/build/bin/vtkhelios" ] || in_clone Apps/demo.sh
+  build_clone
   in_clone Docs/site/build.sh
   tar -C "$helios_root/opt/vtkhelios/build/site" --sort=name --owner=0 --group=0 \
     --transform "s,^html,vtkhelios-$version-site," -czf "$dist/vtkhelios-$version-site.tar.gz" html
@@ -161,6 +174,7 @@ make_licenses() {
   mkdir -p "$dist/licenses"
   cp "$source/LICENSE" "$dist/licenses/vtkHelios.txt"
   cp "$source/Filters/IO/LASzip/COPYING.txt" "$dist/licenses/LASzip.txt"
+  cp "$source/Python/vtkhelios/webcloud/page/twgl-license.txt" "$dist/licenses/twgl.txt"
   cp "$source/Data/DATA_LICENSES.md" "$dist/licenses/data.md"
 }
 

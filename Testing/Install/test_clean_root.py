@@ -114,6 +114,8 @@ def test_list_of_a_release():
     lines = [line for line in text.splitlines() if not line.endswith("no wheel for it")]
     assert lines[:2] == ["Debian packages for trixie", "wheel for CPython 3.11"]
     assert all(line.startswith("wheel for ") for line in lines[2:])
+    assert run(HERE / "release.sh", "--list", "--only", "sources") == (0, "sources\n")
     code, text = run(HERE / "release.sh", "--help")
     assert code == 0
+    assert "CCACHE_DIR if this is set" in text and "set -euo" not in text
     assert "--no-test         build without trying" in text

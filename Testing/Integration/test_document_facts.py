@@ -123,6 +123,13 @@ def test_readme():
     assert f"as are {count} instruments" in text
 
 
+def test_the_package_of_the_libraries():
+    """Its name has the version, as CMake/heliosDebian.cmake makes it."""
+    text = TEXT + (ROOT / "Apps/Packages/Debian/build.sh").read_text()
+    version = re.search(r"VERSION (\d+\.\d+)\.", (ROOT / "CMakeLists.txt").read_text())[1]
+    assert set(re.findall(r"libvtkhelios(\d+\.\d+)", text)) == {version}
+
+
 # Options.
 
 

@@ -9,11 +9,12 @@
 
 # shellcheck source=../../setup.sh
 source "$(dirname "${BASH_SOURCE[0]}")/../../setup.sh"
-helios_packages+=(dpkg-dev help2man)
+helios_packages+=(dpkg-dev file help2man)
 
 # Manual pages: one for vtkhelios, one for each command, from what --help prints.
 make_manuals() { # FOLDER COMMAND...
-  local folder=$1 command
+  local folder=$1 command version
+  version=$(build/bin/vtkhelios --version)
   mkdir -p "$folder"
   make_manual "$folder" vtkhelios "simulation of laser scanning" ""
   for command in "${@:2}"; do
@@ -21,9 +22,8 @@ make_manuals() { # FOLDER COMMAND...
   done
 }
 
-make_manual() { # FOLDER NAME SUMMARY COMMAND
-  local program=build/debian/$2 version
-  version=$(build/bin/vtkhelios --version)
+make_manual() { # FOLDER NAME SUMMARY COMMAND, with the version of make_manuals
+  local program=build/debian/$2
   # help2man looks for "Usage"; argparse prints "usage"
   printf '#!/bin/sh\nbuild/bin/vtkhelios %s "$@" | sed "s/^usage: /Usage: /"\n' "$4" >"$program"
   chmod +x "$program"
@@ -42,8 +42,8 @@ make_completions() { # FOLDER
 }
 
 helios_setup
-helios_configure release
-helios_build release
+helios_configure release "$(helios_warnings OFF)"
+helios_build release vtkhelios_package vtkhelios-viewer # not the tests
 helios_say "manual pages"
 names=$(build/venv/bin/python -c 'from vtkhelios import cli; print(*cli.command_names())')
 # shellcheck disable=SC2086 # words
