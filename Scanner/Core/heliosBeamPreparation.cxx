@@ -197,6 +197,49 @@ BeamWidth GetBeamWidth(vtkHeliosBeamSampler* sampler)
                  : BeamWidth();
 }
 
+namespace
+{
+
+/// Motions of which few pulses are asked for: their boxes are of a least number of pulses.
+class SparseMotions : public InstanceMotions
+{
+public:
+  SparseMotions(std::shared_ptr<const InstanceMotions> motions, vtkIdType pulses)
+    : Motions(std::move(motions))
+    , Pulses(pulses)
+  {
+  }
+
+  int GetNumberOfTracks() const override { return this->Motions->GetNumberOfTracks(); }
+  std::unique_ptr<InstanceTrack> MakeTrack(int motion) const override
+  {
+    return this->Motions->MakeTrack(motion);
+  }
+  MomentSpan GetSpan(const SceneMoment& moment, vtkIdType pulses) const override
+  {
+    return this->Motions->GetSpan(moment, std::max(pulses, this->Pulses));
+  }
+  bool AreAtRest(const MomentSpan& span) const override { return this->Motions->AreAtRest(span); }
+
+private:
+  std::shared_ptr<const InstanceMotions> Motions;
+  vtkIdType Pulses;
+};
+
+/// Returns the model of a scan of which few pulses are probed; null if no instance moves.
+std::unique_ptr<MovingModel> MakeSparse(const ScanModel& model, vtkIdType pulses)
+{
+  if (!model.Motions)
+  {
+    return nullptr;
+  }
+  ScanModel sparse = model;
+  sparse.Motions = std::make_shared<SparseMotions>(model.Motions, pulses);
+  return MovingModel::Make(sparse);
+}
+
+} // namespace
+
 //------------------------------------------------------------------------------
 bool FindsPlanes(const ScanModel& model, vtkIdType numberOfPulses)
 {
@@ -204,8 +247,9 @@ bool FindsPlanes(const ScanModel& model, vtkIdType numberOfPulses)
   {
     return false;
   }
+  constexpr vtkIdType spans = 8; // for which boxes are made
   const vtkIdType samples = std::min<vtkIdType>((numberOfPulses + 31) / 32, 256);
-  const std::unique_ptr<MovingModel> moving = MovingModel::Make(model);
+  const std::unique_ptr<MovingModel> moving = MakeSparse(model, numberOfPulses / spans + 1);
   const ScanModel& probe = moving ? moving->Get() : model;
   PulseSource::Cursor cursor;
   Pulse pulse;

@@ -177,14 +177,14 @@ void BeamTracer::Resize(
 }
 
 //------------------------------------------------------------------------------
-void BeamTracer::Cast(const std::vector<Pulse>& pulses, PulseGroups& groups, ScanCounts& counts)
+void BeamTracer::Cast(const std::vector<Pulse>& pulses, std::size_t first, std::size_t last,
+  PulseGroups& groups, ScanCounts& counts)
 {
-  const std::size_t count = pulses.size();
   RayBatch& batch = this->First;
-  this->Resize(batch, this->Model.SubRays, count);
-  this->Beams.resize(count);
-  std::size_t first = 0; // first of the pulses that have to be traced
-  for (std::size_t i = 0; i < count; ++i)
+  this->Resize(batch, this->Model.SubRays, pulses.size());
+  this->Beams.resize(pulses.size());
+  counts.SubRays += static_cast<vtkIdType>((last - first) * this->Model.SubRays.size());
+  for (std::size_t i = first; i < last; ++i) // first: of the pulses that have to be traced
   {
     const ConeGroup* group = groups.Get(i);
     this->Beams[i] = group ? this->MeetGroup(pulses[i], *group, batch, i) : Unknown;
@@ -194,8 +194,7 @@ void BeamTracer::Cast(const std::vector<Pulse>& pulses, PulseGroups& groups, Sca
       first = i + 1;
     }
   }
-  this->Meet(pulses.data(), first, count, batch);
-  counts.SubRays += static_cast<vtkIdType>(count * this->Model.SubRays.size());
+  this->Meet(pulses.data(), first, last, batch);
 }
 
 //------------------------------------------------------------------------------

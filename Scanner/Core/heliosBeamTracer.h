@@ -34,8 +34,9 @@ class BeamTracer
 public:
   BeamTracer(const ScanModel& model, SurfaceResponse& response);
 
-  /// Casts all sub-rays of each of some pulses.
-  void Cast(const std::vector<Pulse>& pulses, PulseGroups& groups, ScanCounts& counts);
+  /// Casts all sub-rays of each of the pulses [first, last).
+  void Cast(const std::vector<Pulse>& pulses, std::size_t first, std::size_t last,
+    PulseGroups& groups, ScanCounts& counts);
 
   /// Returns whether a pulse cast last meets nothing, and needs no more.
   bool MeetsNothing(std::size_t slot) const { return this->Beams[slot] == Empty; }

@@ -31,17 +31,25 @@ vtkHeliosRay MakeAxis(const ScanModel& model, const Pulse& pulse)
 
 PulseGroups::PulseGroups(const ScanModel& model)
   : Model(model)
-  , IsOn(model.Cones && model.ConeTangent > 0.0 && model.Medium.IsEmpty() && !model.Motions &&
+  , IsOn(model.Cones && model.ConeTangent > 0.0 && model.Medium.IsEmpty() &&
       (model.Path.Beam == BeamPath::ConeFirst ||
         (model.Path.Beam == BeamPath::Fixed && !model.HasOffsets)))
   , Span(LargestSpan)
 {
 }
 
-void PulseGroups::Start(const std::vector<Pulse>& pulses)
+void PulseGroups::Start(const std::vector<Pulse>& pulses, const std::vector<vtkIdType>& indices)
 {
   this->Pulses = &pulses;
+  this->Indices = &indices;
   this->End = 0;
+}
+
+//------------------------------------------------------------------------------
+MomentSpan PulseGroups::GetSpan(std::size_t first, std::size_t last) const
+{
+  return { (*this->Indices)[first], (*this->Indices)[last - 1], (*this->Pulses)[first].Time,
+    (*this->Pulses)[last - 1].Time };
 }
 
 //------------------------------------------------------------------------------
@@ -120,8 +128,8 @@ bool PulseGroups::Find(std::size_t first, std::size_t last)
     std::copy_n(axis.Origin, 3, this->Cones[i - first].Origin);
     std::copy_n(axis.Direction, 3, this->Cones[i - first].Axis);
   }
-  return this->Model.Cones->FindGroup(
-    this->Cones.data(), this->Cones.size(), this->Model.ConeTangent, this->Group);
+  return this->Model.Cones->FindGroup(this->Cones.data(), this->Cones.size(),
+    this->Model.ConeTangent, this->GetSpan(first, last), this->Group);
 }
 
 } // namespace helios

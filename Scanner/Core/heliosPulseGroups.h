@@ -6,6 +6,7 @@
 #define heliosPulseGroups_h
 
 #include "heliosConeGroup.h"
+#include "heliosInstanceMotion.h"
 #include "heliosPulse.h"
 
 #include <cstddef>
@@ -23,11 +24,14 @@ class PulseGroups
 public:
   explicit PulseGroups(const ScanModel& model);
 
-  /// Begins a group of pulses, which must outlive their use.
-  void Start(const std::vector<Pulse>& pulses);
+  /// Begins a group of pulses, given by their indices, too, which must outlive their use.
+  void Start(const std::vector<Pulse>& pulses, const std::vector<vtkIdType>& indices);
 
-  /// Returns the triangles about a pulse; null if they are too many, or if pulses are not grouped. Pulses are
-  /// asked for in order.
+  /// Returns a span with the pulses [first, last).
+  MomentSpan GetSpan(std::size_t first, std::size_t last) const;
+
+  /// Returns the triangles about a pulse; null if they are too many, if pulses are not grouped, or if instances move
+  /// there. Pulses are asked for in order, when the instances are where they are at the pulse.
   const ConeGroup* Get(std::size_t slot);
 
   /// Returns what ScanModel::ProbeCone() does if the beam of a pulse meets nothing, or one triangle of the group that
@@ -41,6 +45,7 @@ private:
   const ScanModel& Model;
   const bool IsOn;
   const std::vector<Pulse>* Pulses = nullptr;
+  const std::vector<vtkIdType>* Indices = nullptr;
   std::vector<ConeAxis> Cones;
   ConeGroup Group;
   std::size_t End = 0;      ///< end of the pulses of the current answer

@@ -61,10 +61,12 @@ void PulseKernel::Run(vtkIdType first, vtkIdType last, WorkWatch& watch, ChunkRe
   {
     const vtkIdType end = std::min(last, begin + size);
     this->AimPulses(begin, end);
-    this->Groups.Start(this->Pulses);
-    if (!isAdaptive && !this->Moving)
+    this->Groups.Start(this->Pulses, this->Indices);
+    this->AreCast = !isAdaptive && this->AreTogether();
+    if (this->AreCast)
     {
-      this->Tracer.Cast(this->Pulses, this->Groups, this->Counts);
+      this->MoveTo(0);
+      this->Tracer.Cast(this->Pulses, 0, this->Pulses.size(), this->Groups, this->Counts);
     }
     for (std::size_t slot = 0; slot < this->Pulses.size() && !watch.IsStopped(); ++slot)
     {
@@ -136,22 +138,27 @@ void PulseKernel::CountFaults(const Pulse& pulse, vtkIdType index)
 }
 
 //------------------------------------------------------------------------------
+/// Returns whether the pulses of the group meet the same scene, and can be traced together.
+bool PulseKernel::AreTogether() const
+{
+  return !this->Pulses.empty() &&
+    (!this->Moving || this->Model.Motions->AreAtRest(this->Groups.GetSpan(0, this->Pulses.size())));
+}
+
+//------------------------------------------------------------------------------
 void PulseKernel::RunFixed(std::size_t slot)
 {
-  if (this->Moving) // pulses that meet the scene at different times are not traced together
+  if (!this->AreCast)
   {
-    this->Tracer.CastAll(this->Pulses[slot], this->Counts);
+    this->Tracer.Cast(this->Pulses, slot, slot + 1, this->Groups, this->Counts);
   }
-  else if (this->Tracer.MeetsNothing(slot))
+  if (this->Tracer.MeetsNothing(slot))
   {
     this->Returns.clear();
     this->SubRays.clear();
     return;
   }
-  else
-  {
-    this->Tracer.Select(slot);
-  }
+  this->Tracer.Select(slot);
   this->RunReturns(this->Pulses[slot]);
 }
 

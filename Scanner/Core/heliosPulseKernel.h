@@ -78,6 +78,7 @@ private:
   bool HitsSpecularSurface(const Cone& cone) const;
   void RunOnOptics(const Pulse& pulse, bool hasLayer);
   void RunInAir(const Pulse& pulse);
+  bool AreTogether() const;
   void RunFixed(std::size_t slot);
   void RunAdaptive(std::size_t slot);
   void RunOnPlane(const Pulse& pulse, const vtkHeliosConeHit& hit, const Incidence& plane);
@@ -129,6 +130,7 @@ private:
 
   std::vector<Pulse> Pulses;
   std::vector<vtkIdType> Indices;
+  bool AreCast = false; ///< fixed sampling: whether all their sub-rays have been
 
   // Members of the current pulse.
   vtkIdType PulseId = 0;

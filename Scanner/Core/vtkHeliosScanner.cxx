@@ -37,6 +37,7 @@
 #include <cmath>
 #include <memory>
 #include <string>
+#include <tuple>
 
 vtkStandardNewMacro(vtkHeliosScanner);
 
@@ -90,12 +91,22 @@ struct vtkHeliosScanner::Scan
 };
 
 //------------------------------------------------------------------------------
+struct vtkHeliosScanner::ProbedMotions
+{
+  using Key = std::tuple<const helios::ConeProbe*, vtkIdType, double, double, double>;
+
+  std::weak_ptr<const helios::InstanceMotions> Motions;
+  Key Settings;
+  bool FindsPlanes = false;
+};
+
 vtkHeliosScanner::vtkHeliosScanner()
   : RangeTolerance(helios::DefaultRangeTolerance)
   , EnergyTolerance(helios::DefaultEnergyTolerance)
   , MaximumNumberOfSubRays(helios::DefaultSubRayLimit)
   , Counts(new helios::ScanCounts)
   , Batch(new helios::BatchSize)
+  , Probed(new ProbedMotions)
 {
   this->SetNumberOfInputPorts(3);
   this->RayCaster = helios::MakeDefaultRayCaster();
@@ -540,7 +551,7 @@ void vtkHeliosScanner::PrepareBeam(Scan& scan)
     m.Plan = this->PlanSampling(m.Receiver.Shape);
     m.Cones = m.Caster ? this->RayCaster->GetConeProbe() : nullptr;
     helios::PrepareAdaptiveBeam(this->BeamSampler, m);
-    traits.FindsPlanes = this->ScatteringOrders == 1 && helios::FindsPlanes(m, scan.NumberOfPulses);
+    traits.FindsPlanes = this->ScatteringOrders == 1 && this->FindsPlanes(scan);
     m.UsesRays =
       m.Plan.PrefersRays && !m.Surfaces.HasOptics() && helios::FindsCrowds(m, scan.NumberOfPulses);
   }
@@ -553,6 +564,26 @@ void vtkHeliosScanner::PrepareBeam(Scan& scan)
   }
   m.Path = helios::ChoosePath(traits);
   helios::PrepareScattering(*this, this->BeamSampler, m);
+}
+
+//------------------------------------------------------------------------------
+/// Returns whether cone probes pay; with motions once for all pieces of a leg, as their boxes take
+/// time.
+bool vtkHeliosScanner::FindsPlanes(const Scan& scan)
+{
+  const helios::ScanModel& m = scan.Model;
+  if (!m.Motions)
+  {
+    return helios::FindsPlanes(m, scan.NumberOfPulses);
+  }
+  const ProbedMotions::Key key(
+    m.Cones, scan.NumberOfPulses, m.Plan.PlaneDistance, m.Plan.PlaneContrast, m.ConeTangent);
+  ProbedMotions& probed = *this->Probed;
+  if (probed.Motions.lock() != m.Motions || probed.Settings != key)
+  {
+    probed = { m.Motions, key, helios::FindsPlanes(m, scan.NumberOfPulses) };
+  }
+  return probed.FindsPlanes;
 }
 
 //------------------------------------------------------------------------------

@@ -439,7 +439,8 @@ protected:
   int RequestData(vtkInformation*, vtkInformationVector**, vtkInformationVector*) override;
 
 private:
-  struct Scan; // input and state of a run
+  struct Scan;          // input and state of a run
+  struct ProbedMotions; // answer of a probe of the beams of a leg
 
   bool CheckSettings();
   bool PrepareSources(vtkPolyData* trajectory, Scan& scan);
@@ -450,6 +451,7 @@ private:
   bool PrepareReceiver(Scan& scan);
   void PrepareAir(Scan& scan) const;
   void PrepareBeam(Scan& scan);
+  bool FindsPlanes(const Scan& scan);
   helios::ScanTraits GetTraits();
   helios::SamplingPlan PlanSampling(const helios::PulseShape& shape) const;
   bool RunPulses(const Scan& scan, vtkIdType first, vtkIdType last, vtkInformationVector* outputs);
@@ -496,6 +498,7 @@ private:
   std::unique_ptr<helios::ScanCounts> Counts;
   std::unique_ptr<helios::BatchSize> Batch; // batch size of the last scan
   std::shared_ptr<const helios::InstanceMotions> Motions;
+  std::unique_ptr<ProbedMotions> Probed; // answer for the last leg with motions
   std::shared_ptr<helios::TextureStore> SharedTextures;
   std::shared_ptr<helios::TextureStore> Textures; // textures of the scene
   vtkMTimeType ColorTime = 0;                     // the scene's, when its colours were prepared

@@ -74,6 +74,10 @@ public:
 
   /// Returns a span of a number of pulses with a moment.
   virtual MomentSpan GetSpan(const SceneMoment& moment, vtkIdType pulses) const = 0;
+
+  /// Returns whether all instances are at the same places at all moments of a span; false if that
+  /// is not known.
+  virtual bool AreAtRest(const MomentSpan& span) const = 0;
 };
 
 } // namespace helios

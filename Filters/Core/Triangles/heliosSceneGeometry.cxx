@@ -109,27 +109,17 @@ void ClearBounds(double bounds[6])
 } // namespace
 
 //------------------------------------------------------------------------------
-MovedInstances::MovedInstances(
-  const std::vector<SceneInstance>& atRest, std::shared_ptr<const InstanceMotions> motions)
+MovedInstances::MovedInstances(std::shared_ptr<const InstanceMotions> motions)
   : Motions(std::move(motions))
   , Slots(static_cast<std::size_t>(this->Motions->GetNumberOfTracks()))
 {
-  for (const SceneInstance& instance : atRest)
-  {
-    if (instance.Motion >= 0)
-    {
-      Slot& slot = this->Slots[static_cast<std::size_t>(instance.Motion)];
-      slot.Instance = instance;
-      slot.Track = this->Motions->MakeTrack(instance.Motion);
-    }
-  }
 }
 
 //------------------------------------------------------------------------------
 SceneGeometry SceneGeometry::MakeMoving(const std::shared_ptr<const InstanceMotions>& motions) const
 {
   SceneGeometry moving = *this;
-  moving.Moved = std::make_shared<MovedInstances>(this->GetInstances(), motions);
+  moving.Moved = std::make_shared<MovedInstances>(motions);
   return moving;
 }
 

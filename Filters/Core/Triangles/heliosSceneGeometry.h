@@ -52,8 +52,7 @@ struct SceneInstance
 class VTKHELIOSFILTERSCORE_EXPORT MovedInstances
 {
 public:
-  MovedInstances(
-    const std::vector<SceneInstance>& atRest, std::shared_ptr<const InstanceMotions> motions);
+  explicit MovedInstances(std::shared_ptr<const InstanceMotions> motions);
 
   void MoveTo(const SceneMoment& moment)
   {
@@ -61,7 +60,7 @@ public:
     ++this->Move;
   }
   const SceneMoment& GetMoment() const { return this->Moment; }
-  const InstanceMotions& GetMotions() const { return *this->Motions; }
+  const std::shared_ptr<const InstanceMotions>& GetMotions() const { return this->Motions; }
 
   /// Returns a moving instance at the moment.
   const SceneInstance& Get(const SceneInstance& atRest)
@@ -69,6 +68,7 @@ public:
     Slot& slot = this->Slots[static_cast<std::size_t>(atRest.Motion)];
     if (slot.Move != this->Move)
     {
+      this->Fill(slot, atRest);
       slot.Move = this->Move;
       slot.Track->Move(this->Moment, slot.Instance.Place);
     }
@@ -78,16 +78,26 @@ public:
   /// Returns the track of a moving instance.
   InstanceTrack& GetTrack(const SceneInstance& instance)
   {
-    return *this->Slots[static_cast<std::size_t>(instance.Motion)].Track;
+    Slot& slot = this->Slots[static_cast<std::size_t>(instance.Motion)];
+    this->Fill(slot, instance);
+    return *slot.Track;
   }
 
 private:
   struct Slot
   {
     SceneInstance Instance;
-    std::unique_ptr<InstanceTrack> Track;
-    vtkTypeUInt64 Move = 0; ///< move for which its place was set
+    std::unique_ptr<InstanceTrack> Track; ///< null: not used yet
+    vtkTypeUInt64 Move = 0;               ///< move for which its place was set
   };
+  void Fill(Slot& slot, const SceneInstance& instance) const
+  {
+    if (!slot.Track)
+    {
+      slot.Instance = instance;
+      slot.Track = this->Motions->MakeTrack(instance.Motion);
+    }
+  }
 
   std::shared_ptr<const InstanceMotions> Motions;
   std::vector<Slot> Slots; ///< by number of motion

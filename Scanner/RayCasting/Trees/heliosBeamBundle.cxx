@@ -89,7 +89,7 @@ void BeamBundle::Trace(const vtkHeliosRay* rays, vtkHeliosHit* hits, int count)
   if (this->Scene.HasInstances())
   {
     this->Scene.VisitBoxes(
-      [this](const SceneTree::BoxTree& boxes)
+      [this](const BoxTree& boxes)
       {
         this->TraceInstances(boxes);
         return true;
@@ -155,7 +155,7 @@ void BeamBundle::TraceEach()
 }
 
 /// Keeps better hits with the instances whose boxes the rays enter.
-void BeamBundle::TraceInstances(const SceneTree::BoxTree& boxes)
+void BeamBundle::TraceInstances(const BoxTree& boxes)
 {
   this->Placed = PlacedTree(boxes.Tree, nullptr);
   if (!this->SetFrame())

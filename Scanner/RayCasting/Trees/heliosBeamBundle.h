@@ -42,7 +42,7 @@ private:
   bool GatherRays(const vtkHeliosRay* rays, int count);
   void TraceTree(const PlacedTree& placed);
   void TraceEach();
-  void TraceInstances(const SceneTree::BoxTree& boxes);
+  void TraceInstances(const BoxTree& boxes);
   void SetReach();
   bool MoveRays();
   bool SetFrame();

@@ -11,6 +11,7 @@
 
 #include <vtkType.h>
 
+#include <array>
 #include <memory>
 #include <vector>
 
@@ -81,6 +82,10 @@ public:
 
   /// Builds over a height field, which must outlive it.
   void Build(const HeightField& field);
+
+  /// Builds over boxes x0 x1 y0 y1 z0 z1, as triangles without corners, one in a leaf: ten times as
+  /// fast as over a mesh, less tight.
+  void Build(const std::vector<std::array<double, 6>>& boxes);
 
   bool HasOutliers() const { return this->OutliersExist; }
 

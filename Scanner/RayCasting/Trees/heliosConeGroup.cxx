@@ -29,10 +29,11 @@ constexpr int MaximumInstances = 4;
 class Cones
 {
 public:
-  Cones(const ConeAxis* cones, std::size_t count, double tangent)
+  Cones(const ConeAxis* cones, std::size_t count, double tangent, bool doMove = false)
     : First(cones)
     , Count(count)
     , Tangent(tangent)
+    , InstancesMove(doMove)
   {
   }
 
@@ -72,8 +73,11 @@ public:
 
   double GetTangent() const { return this->Tangent; }
 
-  /// Counts one more instance; false if they are too many.
-  bool CountInstance() const { return ++this->Instances <= MaximumInstances; }
+  /// Counts one more instance; false if they are too many, or if it moves.
+  bool CountInstance(const PlacedTree& placed) const
+  {
+    return ++this->Instances <= MaximumInstances && !(this->InstancesMove && placed.HasMotion());
+  }
 
 private:
   bool SetBounds(const RayAxes& axes, bool isForward, double low[3], double high[3],
@@ -82,6 +86,7 @@ private:
   const ConeAxis* First;
   std::size_t Count;
   double Tangent;
+  bool InstancesMove; ///< those that have a motion
   mutable int Instances = 0;
 };
 
@@ -155,7 +160,7 @@ bool WalkInstance(const Cones& cones, const PlacedTree& placed, const double& fa
   const std::vector<ConeAxis> moved = cones.GetLocal(place);
   const Cones local(moved.data(), moved.size(), cones.GetTangent());
   RayAxes axes;
-  return cones.CountInstance() && local.SetAxes(axes) &&
+  return cones.CountInstance(placed) && local.SetAxes(axes) &&
     WalkTree(local, axes, placed.GetTree(), placed.GetError(cones.GetReach()), 1.0 / place.Scale,
       farthest, [&](vtkTypeInt32 triangle) { return add(placed, triangle); });
 }
@@ -199,14 +204,16 @@ bool ConeGroup::Add(const PlacedTree& placed, vtkTypeInt32 triangle)
 }
 
 //------------------------------------------------------------------------------
-bool ConeGroup::Find(
-  const SceneTree& scene, const ConeAxis* cones, std::size_t count, double tangent)
+bool ConeGroup::Find(const SceneTree& scene, const ConeAxis* cones, std::size_t count,
+  double tangent, const MomentSpan& span)
 {
   this->Count = 0;
-  const Cones all(cones, count, tangent);
+  const bool doMove = !scene.IsAtRest(span);
+  const Cones all(cones, count, tangent, doMove);
   RayAxes axes;
-  return count > 0 && tangent >= 0.0 && tangent < WidestTangent &&
-    scene.GetMesh().GetTree().GetOutliers().size() <= MaximumOutliers && all.SetAxes(axes) &&
+  return count > 0 && !(doMove && !scene.HasBoxes(span)) && tangent >= 0.0 &&
+    tangent < WidestTangent && scene.GetMesh().GetTree().GetOutliers().size() <= MaximumOutliers &&
+    all.SetAxes(axes) &&
     WalkCone(all, axes, scene, Endless,
       [this](const PlacedTree& placed, vtkTypeInt32 triangle)
       { return this->Add(placed, triangle); });

@@ -17,6 +17,7 @@ namespace helios
 {
 
 class SceneTree;
+struct MomentSpan;
 
 /// A cone by its apex and unit axis.
 struct ConeAxis
@@ -47,9 +48,11 @@ class VTKHELIOSSCANNERRAYCASTING_EXPORT ConeGroup
 public:
   static constexpr int Capacity = 16;
 
-  /// Finds the triangles of a scene that cones of one half angle may touch; false if they are more than the
-  /// capacity, or if the cones are too wide or point to different sides.
-  bool Find(const SceneTree& scene, const ConeAxis* cones, std::size_t count, double tangent);
+  /// Finds the triangles of a scene that cones of one half angle may touch at any moment of a span; false if they
+  /// are more than the capacity, if the cones are too wide or point to different sides, or if they may touch an
+  /// instance that moves within the span.
+  bool Find(const SceneTree& scene, const ConeAxis* cones, std::size_t count, double tangent,
+    const MomentSpan& span);
 
   int GetNumberOfTriangles() const { return this->Count; }
 

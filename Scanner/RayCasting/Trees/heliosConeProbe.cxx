@@ -42,10 +42,10 @@ public:
     return ConeTest(origin, axis, tanHalfAngle, limits).Run(*this->Tree, layer, &group);
   }
 
-  bool FindGroup(
-    const ConeAxis* cones, std::size_t count, double tanHalfAngle, ConeGroup& group) const override
+  bool FindGroup(const ConeAxis* cones, std::size_t count, double tanHalfAngle,
+    const MomentSpan& span, ConeGroup& group) const override
   {
-    return group.Find(*this->Tree, cones, count, tanHalfAngle);
+    return group.Find(*this->Tree, cones, count, tanHalfAngle, span);
   }
 
   bool Collect(const double origin[3], const double axis[3], double tanHalfAngle, double nearest,

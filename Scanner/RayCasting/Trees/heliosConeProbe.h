@@ -19,6 +19,7 @@ namespace helios
 
 class ConeGroup;
 struct ConeAxis;
+struct MomentSpan;
 class SceneTree;
 class StopCheck;
 class TriangleMesh;
@@ -43,7 +44,7 @@ public:
 
   /// Finds the triangles of a group of cones, see ConeGroup::Find().
   virtual bool FindGroup(const ConeAxis* /*cones*/, std::size_t /*count*/, double /*tanHalfAngle*/,
-    ConeGroup& /*group*/) const
+    const MomentSpan& /*span*/, ConeGroup& /*group*/) const
   {
     return false;
   }

@@ -87,7 +87,7 @@ bool WalkInstances(const ConeType& cone, const RayAxes& axes, const SceneTree& s
   const double& farthest, AddT add)
 {
   return scene.VisitBoxes(
-    [&](const SceneTree::BoxTree& boxes)
+    [&](const BoxTree& boxes)
     {
       Frustum hull;
       LeafFilter unused; // leaves have boxes

@@ -41,6 +41,9 @@ public:
 
   const BeamTree& GetTree() const { return *this->Tree; }
 
+  /// Returns whether it is an instance that moves over time.
+  bool HasMotion() const { return this->Instance && this->Instance->Motion >= 0; }
+
   /// Returns whether the tree has a frame of its own, unlike the scene's.
   bool IsMoved() const { return this->HasFrame; }
 

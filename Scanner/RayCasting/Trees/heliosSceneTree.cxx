@@ -4,14 +4,7 @@
 #include "heliosSceneTree.h"
 
 #include "heliosStopCheck.h"
-#include "heliosThreadLoop.h"
 #include "heliosTriangleTest.h"
-
-#include <vtkCellArray.h>
-#include <vtkNew.h>
-#include <vtkPoints.h>
-#include <vtkPolyData.h>
-#include <vtkSmartPointer.h>
 
 #include <algorithm>
 #include <cmath>
@@ -21,35 +14,6 @@ namespace helios
 
 namespace
 {
-
-/// Returns a triangle for each box, with its bounds.
-vtkSmartPointer<vtkPolyData> MakeTriangles(const std::vector<std::array<double, 6>>& boxes)
-{
-  constexpr double rounding = 0x1p-48; // rounding of corners, beyond a box
-  vtkNew<vtkPoints> points;
-  points->SetDataTypeToDouble();
-  auto mesh = vtkSmartPointer<vtkPolyData>::New();
-  vtkNew<vtkCellArray> polys;
-  polys->Use32BitStorage();
-  for (std::array<double, 6> b : boxes)
-  {
-    for (int axis = 0; axis < 3; ++axis)
-    {
-      const double margin = rounding *
-        (std::max(std::abs(b[2 * axis]), std::abs(b[2 * axis + 1])) + b[2 * axis + 1] -
-          b[2 * axis]);
-      b[2 * axis] -= margin;
-      b[2 * axis + 1] += margin;
-    }
-    const vtkIdType first = points->InsertNextPoint(b[0], b[2], b[4]);
-    points->InsertNextPoint(b[1], b[2], b[5]);
-    points->InsertNextPoint(b[0], b[3], b[5]);
-    polys->InsertNextCell({ first, first + 1, first + 2 });
-  }
-  mesh->SetPoints(points);
-  mesh->SetPolys(polys);
-  return mesh;
-}
 
 /// Returns the boxes of the instances at rest, and sets the numbers of those that move.
 std::vector<std::array<double, 6>> FindBoxes(const SceneGeometry& scene, std::vector<int>& moving)
@@ -67,14 +31,6 @@ std::vector<std::array<double, 6>> FindBoxes(const SceneGeometry& scene, std::ve
   return boxes;
 }
 
-double GetDiagonal(const double bounds[6])
-{
-  return std::hypot(bounds[1] - bounds[0], bounds[3] - bounds[2], bounds[5] - bounds[4]);
-}
-
-/// bytes of a box of MakeTriangles()
-constexpr std::size_t SizeOfBox = 9 * sizeof(double) + 4 * sizeof(vtkTypeInt32);
-
 /// Prepares a ray for a tree; false if it is no ray.
 bool SetRay(const PlacedTree& placed, const vtkHeliosRay& ray, TestRay& local)
 {
@@ -87,22 +43,6 @@ double GetError(const PlacedTree& placed, const vtkHeliosRay& ray)
 }
 
 } // namespace
-
-//------------------------------------------------------------------------------
-void SceneTree::BoxTree::Build(const std::vector<std::array<double, 6>>& boxes, StopCheck& check)
-{
-  this->Tree = BeamTree();
-  if (!boxes.empty() && this->Mesh.Set(MakeTriangles(boxes)).IsOk())
-  {
-    this->Tree.BuildWhole(this->Mesh, check, 1); // all in a leaf that is entered are visited
-  }
-}
-
-std::size_t SceneTree::BoxTree::GetMemorySize() const
-{
-  return this->Tree.GetMemorySize() +
-    SizeOfBox * static_cast<std::size_t>(this->Mesh.GetNumberOfTriangles());
-}
 
 //------------------------------------------------------------------------------
 void SceneTree::Build(const TriangleMesh& mesh, StopCheck& check)
@@ -166,8 +106,18 @@ void SceneTree::Share(const SceneTree& atRest, const SceneGeometry& moving)
   this->Shared = atRest.Shared;
   this->Mesh = atRest.Mesh;
   this->Scene = &moving;
-  this->Moving = std::make_unique<MovingBoxes>();
-  FindBoxes(moving, this->Moving->Boxes.Instances);
+  this->Moving = std::make_shared<MovingBoxes>();
+  const std::lock_guard<std::mutex> lock(this->Shared->Mutex);
+  auto& all = this->Shared->Motions;
+  const auto isOver = [](const std::shared_ptr<MotionBoxes>& each) { return each->IsOver(); };
+  all.erase(std::remove_if(all.begin(), all.end(), isOver), all.end());
+  const auto known = std::find_if(all.begin(), all.end(),
+    [&](const std::shared_ptr<MotionBoxes>& each) { return each->IsOf(moving); });
+  this->Motion = known != all.end() ? *known : std::make_shared<MotionBoxes>(moving);
+  if (known == all.end())
+  {
+    all.push_back(this->Motion);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -176,57 +126,22 @@ void SceneTree::MoveTo(const SceneMoment& moment)
   this->Scene->GetMoved()->MoveTo(moment);
   if (!this->Moving->Span.Has(moment))
   {
-    this->BuildMovingBoxes(moment);
+    this->Moving = this->Motion->Get(*this->Scene, moment);
   }
 }
 
 //------------------------------------------------------------------------------
-/// Computes the boxes of the moving instances over the span; returns the sum of their sizes,
-/// relative to that of the boxes of their prototypes.
-double SceneTree::ComputeMovingBoxes(std::vector<std::array<double, 6>>& bounds) const
+bool SceneTree::IsAtRest(const MomentSpan& span) const
 {
-  MovedInstances& moved = *this->Scene->GetMoved();
-  double atRest = 0.0;
-  double swept = 0.0;
-  bounds.clear();
-  for (const int number : this->Moving->Boxes.Instances)
-  {
-    const SceneInstance& instance = this->Scene->GetInstances()[static_cast<std::size_t>(number)];
-    double own[6];
-    this->Scene->GetPrototype(instance).GetBounds(own);
-    bounds.emplace_back();
-    moved.GetTrack(instance).ComputeBounds(this->Moving->Span, own, bounds.back().data());
-    atRest += instance.Place.Scale * GetDiagonal(own);
-    swept += GetDiagonal(bounds.back().data());
-  }
-  return swept / atRest;
+  return !this->Motion || this->Scene->GetMoved()->GetMotions()->AreAtRest(span);
 }
 
 //------------------------------------------------------------------------------
-/// Builds the boxes in which the moving instances are over a span with a moment: of more pulses, the
-/// less they move. Results do not depend on it.
-void SceneTree::BuildMovingBoxes(const SceneMoment& moment)
+bool SceneTree::HasBoxes(const MomentSpan& span) const
 {
-  constexpr double small = 1.1; // relative sizes of boxes
-  constexpr double large = 1.5;
-  constexpr vtkIdType maximum = 8192;
-  MovingBoxes& moving = *this->Moving;
-  const auto count = static_cast<vtkIdType>(moving.Boxes.Instances.size());
-  const InstanceMotions& motions = this->Scene->GetMoved()->GetMotions();
-  std::vector<std::array<double, 6>> bounds;
-  moving.Span = motions.GetSpan(moment, moving.Pulses);
-  const double size = this->ComputeMovingBoxes(bounds);
-  StopCheck never(nullptr);
-  const OneThreadScope alone; // it runs between two pulses of a thread
-  moving.Boxes.Build(bounds, never);
-  if (size < small && moving.Pulses < maximum)
-  {
-    moving.Pulses *= 2;
-  }
-  else if (size > large && moving.Pulses > count)
-  {
-    moving.Pulses = std::max<vtkIdType>(1, moving.Pulses / 2);
-  }
+  return !this->Motion ||
+    (this->Moving->Span.Has({ span.First, span.Start }) &&
+      this->Moving->Span.Has({ span.Last, span.End }));
 }
 
 //------------------------------------------------------------------------------

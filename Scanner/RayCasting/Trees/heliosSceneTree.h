@@ -6,12 +6,14 @@
 #define heliosSceneTree_h
 
 #include "heliosBeamTree.h"
+#include "heliosBoxTree.h"
+#include "heliosMotionBoxes.h"
 #include "heliosPlacedTree.h"
 #include "heliosTriangleMesh.h"
 #include "vtkHeliosRay.h"
 
-#include <array>
 #include <memory>
+#include <mutex>
 #include <vector>
 
 namespace helios
@@ -45,27 +47,16 @@ public:
   /// Moves the instances to where they are at a moment.
   void MoveTo(const SceneMoment& moment);
 
+  /// Returns whether all instances are at rest over a span with that moment; whether the boxes of
+  /// those that move hold them over it.
+  bool IsAtRest(const MomentSpan& span) const;
+  bool HasBoxes(const MomentSpan& span) const;
+
   std::size_t GetMemorySize() const;
 
   const PlacedTree& GetMesh() const { return this->Mesh; }
 
   bool HasInstances() const { return this->Scene != nullptr; }
-
-  /// A tree of the boxes of instances.
-  struct BoxTree
-  {
-    TriangleMesh Mesh; ///< a triangle for each, with the bounds of its box
-    BeamTree Tree;
-    std::vector<int> Instances; ///< their numbers; empty: those of the triangles
-
-    int GetInstance(vtkTypeInt32 triangle) const
-    {
-      return this->Instances.empty() ? triangle
-                                     : this->Instances[static_cast<std::size_t>(triangle)];
-    }
-    void Build(const std::vector<std::array<double, 6>>& boxes, StopCheck& check);
-    std::size_t GetMemorySize() const;
-  };
 
   /// Visits the trees of the boxes of all instances that are not empty, until visit() returns
   /// false; returns whether it never did.
@@ -74,7 +65,7 @@ public:
   {
     const auto pass = [&visit](const BoxTree& boxes)
     { return boxes.Tree.IsEmpty() || visit(boxes); };
-    return this->Moving ? pass(this->Shared->Resting) && pass(this->Moving->Boxes)
+    return this->Motion ? pass(this->Shared->Resting) && pass(this->Moving->Boxes)
                         : pass(this->Shared->Boxes);
   }
   PlacedTree GetInstance(int number) const;
@@ -109,28 +100,22 @@ private:
   template <typename VisitT>
   bool VisitInstances(const vtkHeliosRay& ray, const double& range, VisitT visit) const;
 
-  /// The trees of a scene at rest.
+  /// The trees of a scene at rest; and what moves in it, for all threads.
   struct Trees
   {
     BeamTree Mesh;
     std::vector<BeamTree> Prototypes;
     BoxTree Boxes;
     BoxTree Resting; ///< the boxes of the instances that never move, if others do
+    std::mutex Mutex;
+    std::vector<std::shared_ptr<MotionBoxes>> Motions; ///< those in use
   };
-  /// The boxes of the instances that move, over a span.
-  struct MovingBoxes
-  {
-    MomentSpan Span;
-    vtkIdType Pulses = 64; ///< pulses of the next span: more if boxes grow little
-    BoxTree Boxes;
-  };
-  double ComputeMovingBoxes(std::vector<std::array<double, 6>>& bounds) const;
-  void BuildMovingBoxes(const SceneMoment& moment);
 
   std::shared_ptr<Trees> Shared = std::make_shared<Trees>();
   PlacedTree Mesh{ this->Shared->Mesh, nullptr };
-  const SceneGeometry* Scene = nullptr; ///< null: no instances
-  std::unique_ptr<MovingBoxes> Moving;  ///< null: all are at rest
+  const SceneGeometry* Scene = nullptr;      ///< null: no instances
+  std::shared_ptr<MotionBoxes> Motion;       ///< null: all are at rest
+  std::shared_ptr<const MovingBoxes> Moving; ///< boxes at the moment, if some move
 };
 
 } // namespace helios

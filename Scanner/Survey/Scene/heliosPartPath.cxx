@@ -91,7 +91,6 @@ PathBound StepPath::GetBound(const MomentSpan& span)
   const vtkIdType middle =
     FindSeenStep(this->Data, this->Clock, span.First + (span.Last - span.First) / 2);
   PathBound bound;
-  bound.Map = this->Motion->GetMap(middle);
   double chord = 0.0;
   double angle = 0.0;
   for (vtkIdType step = first; step < last; step = this->FindSection(step).GetEnd())
@@ -101,6 +100,9 @@ PathBound StepPath::GetBound(const MomentSpan& span)
     angle = section.IsMirror() ? std::numeric_limits<double>::infinity()
                                : std::max(angle, section.GetAngle());
   }
+  const MotionSection& section = this->FindSection(middle);
+  bound.Map =
+    section.IsMirror() ? this->Motion->GetMap(middle) : section.GetMap(static_cast<double>(middle));
   const auto steps = static_cast<double>(std::max(middle - first, last - middle));
   bound.Shift = steps * chord;
   bound.Angle = angle > 0.0 ? steps * angle : 0.0;

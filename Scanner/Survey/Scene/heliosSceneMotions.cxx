@@ -78,7 +78,8 @@ public:
         bounds[2 * axis + 1] = std::max(bounds[2 * axis + 1], q[axis]);
       }
     }
-    const double rounding = 1e-12 * (distance + bound.Shift);
+    const double world = std::max({ std::abs(pivot[0]), std::abs(pivot[1]), std::abs(pivot[2]) });
+    const double rounding = 1e-12 * (distance + bound.Shift + world);
     const double reach = bound.GetReach(distance) + rounding;
     const double ball = bound.Shift + distance + rounding;
     for (int axis = 0; axis < 3; ++axis)
@@ -124,6 +125,27 @@ SceneMotions::SceneMotions(std::shared_ptr<const Content> content, const PulseCl
   : Shared(std::move(content))
   , Clock(clock)
 {
+  std::for_each(this->Shared->Parts.begin(), this->Shared->Parts.end(),
+    [this](const MovingPartData& part) { this->AddSteps(part); });
+}
+
+//------------------------------------------------------------------------------
+/// Adds when a part steps, unless it is known.
+void SceneMotions::AddSteps(const MovingPartData& part)
+{
+  constexpr std::size_t most = 8;
+  this->OnlySteps = this->OnlySteps && !part.Track && !(part.Motion && part.Data.IsContinuous) &&
+    this->Steps.size() <= most;
+  const auto isSame = [&part](const MotionData& other)
+  {
+    return other.Seconds == part.Data.Seconds && other.Pulses == part.Data.Pulses &&
+      other.Every == part.Data.Every;
+  };
+  if (this->OnlySteps && part.Motion &&
+    std::none_of(this->Steps.begin(), this->Steps.end(), isSame))
+  {
+    this->Steps.push_back(part.Data);
+  }
 }
 
 //------------------------------------------------------------------------------
@@ -176,6 +198,18 @@ MomentSpan SceneMotions::GetSpan(const SceneMoment& moment, vtkIdType pulses) co
   span.Start = std::min(moment.Time, getTime(span.First - 1));
   span.End = std::max(moment.Time, getTime(span.Last + 1));
   return span;
+}
+
+//------------------------------------------------------------------------------
+bool SceneMotions::AreAtRest(const MomentSpan& span) const
+{
+  return this->OnlySteps &&
+    std::all_of(this->Steps.begin(), this->Steps.end(),
+      [&](const MotionData& motion)
+      {
+        return FindSeenStep(motion, this->Clock, span.First) ==
+          FindSeenStep(motion, this->Clock, span.Last);
+      });
 }
 
 } // namespace helios

@@ -49,12 +49,16 @@ public:
   int GetNumberOfTracks() const override;
   std::unique_ptr<InstanceTrack> MakeTrack(int motion) const override;
   MomentSpan GetSpan(const SceneMoment& moment, vtkIdType pulses) const override;
+  bool AreAtRest(const MomentSpan& span) const override;
 
 private:
   std::unique_ptr<PartPath> MakePath(std::size_t part) const;
+  void AddSteps(const MovingPartData& part);
 
   std::shared_ptr<const Content> Shared;
   PulseClock Clock;
+  bool OnlySteps = true;         ///< no part moves between steps
+  std::vector<MotionData> Steps; ///< motions of parts that step at different times
 };
 
 } // namespace helios

@@ -143,7 +143,7 @@ TEST_CASE("ConeGroup: probes and hits are those of each cone alone, to the last 
       const auto cones =
         MakeLine(from, dice(0, 6.28), dice(-1.6, 0.8), line % 5 == 0 ? 2e-2 : 1e-3);
       ConeGroup group;
-      if (!caster->GetConeProbe()->FindGroup(cones.data(), cones.size(), tangent, group))
+      if (!caster->GetConeProbe()->FindGroup(cones.data(), cones.size(), tangent, {}, group))
       {
         ++tally.TooMany;
         continue;
@@ -174,7 +174,7 @@ TEST_CASE("ConeGroup: triangles far out of the scene are in it", "[ConeGroup]")
   REQUIRE(caster->Build(soup.GetPolyData()));
   const ConeAxis cone{ { 0, 0, 0 }, { 0, 0, 1 } };
   ConeGroup group;
-  REQUIRE(caster->GetConeProbe()->FindGroup(&cone, 1, 0.01, group));
+  REQUIRE(caster->GetConeProbe()->FindGroup(&cone, 1, 0.01, {}, group));
   const helios::ConeTriangles found = group.Select(cone.Origin, cone.Axis, 0.01);
   CHECK(found.Touched == 1);
   CHECK(found.Covering == 1);
@@ -196,7 +196,7 @@ TEST_CASE("ConeGroup: triangles behind one that covers a cone are not selected",
   REQUIRE(caster->Build(soup.GetPolyData()));
   const ConeAxis cone{ { 0, 0, 0 }, { 0, 0, 1 } };
   ConeGroup group;
-  REQUIRE(caster->GetConeProbe()->FindGroup(&cone, 1, 0.01, group));
+  REQUIRE(caster->GetConeProbe()->FindGroup(&cone, 1, 0.01, {}, group));
   REQUIRE(group.GetNumberOfTriangles() == 4);
   const auto count = [&](double distance)
   {
@@ -219,7 +219,7 @@ TEST_CASE("ConeGroup: none of cones too wide, or that point to different sides",
   const auto find = [&caster](const std::vector<ConeAxis>& cones, double tangent)
   {
     ConeGroup group;
-    return caster->GetConeProbe()->FindGroup(cones.data(), cones.size(), tangent, group);
+    return caster->GetConeProbe()->FindGroup(cones.data(), cones.size(), tangent, {}, group);
   };
   const ConeAxis up{ { 0, 0, 0 }, { 0, 0, 1 } };
   CHECK(find({ up, up }, 0.01));

@@ -3,6 +3,7 @@
 // Compares scenes whose parts move with copies of them at rest.
 #include "heliosMovingInstances.h"
 
+#include "heliosConeGroup.h"
 #include "heliosConeProbe.h"
 #include "heliosMessages.h"
 #include "heliosSceneGeometry.h"
@@ -311,6 +312,55 @@ TEST_CASE("MovingInstances: a part that moves continuously is where it is at the
       }
     }
   }
+}
+
+TEST_CASE("MovingInstances: a group of cones meets what moves only while it is at rest",
+  "[MovingInstances]")
+{
+  // a plate of part 1 above a floor of part 0
+  vtkNew<vtkPoints> points;
+  points->SetDataTypeToDouble();
+  vtkNew<vtkCellArray> polys;
+  vtkNew<vtkIntArray> ids;
+  ids->SetName(vtkHeliosArrayNames::PartIds);
+  for (const int part : { 0, 1 })
+  {
+    const double half = part == 0 ? 50.0 : 1.0;
+    const vtkIdType first = points->InsertNextPoint(-3 * half, -half, part);
+    points->InsertNextPoint(3 * half, -half, part);
+    points->InsertNextPoint(0, 3 * half, part);
+    polys->InsertNextCell({ first, first + 1, first + 2 });
+    ids->InsertNextValue(part);
+  }
+  vtkNew<vtkPolyData> scene;
+  scene->SetPoints(points);
+  scene->SetPolys(polys);
+  scene->GetCellData()->AddArray(ids);
+  const bool isContinuous = GENERATE(false, true);
+  const auto data =
+    MakeData(Repeat({ MakeMotion(MotionKind::Translation, Vec3(0, 0, 0.1)) }), isContinuous);
+  vtkNew<vtkObject> owner;
+  helios::Messages log(owner);
+  const helios::MovingInstances parts(data, scene, helios::AngleConvention::Arinc705, log);
+  const auto base =
+    vtkSmartPointer<vtkHeliosRayCaster>::Take(vtkHeliosRayCasterFactory::Create("beam"));
+  REQUIRE(base->Build(parts.GetScene()));
+  const auto moving = base->MakeMoving(parts.MakeMotions({ 0, 0.0, 1000.0 }));
+  const auto find = [&](double x, vtkIdType first, vtkIdType last)
+  {
+    const helios::ConeAxis cones[2] = { { { x, 0, 20 }, { 0, 0, -1 } },
+      { { x + 0.1, 0, 20 }, { 0, 0, -1 } } };
+    helios::ConeGroup group;
+    const auto getTime = [](vtkIdType pulse) { return 0.001 * static_cast<double>(pulse); };
+    moving->MoveTo({ first, getTime(first) });
+    const bool isFound = moving->GetConeProbe()->FindGroup(
+      cones, 2, 0.01, { first, last, getTime(first), getTime(last) }, group);
+    return isFound ? group.GetNumberOfTriangles() : 0;
+  };
+  CHECK(find(0.0, 11, 19) == (isContinuous ? 0 : 2)); // within a step of ten pulses
+  CHECK(find(0.0, 11, 20) == 0);
+  CHECK(find(20.0, 11, 20) == 1);      // beside the plate
+  CHECK(find(20.0, 11, 1 << 30) == 0); // beyond the boxes
 }
 
 TEST_CASE("MovingInstances: a scene at rest is not touched", "[MovingInstances]")
