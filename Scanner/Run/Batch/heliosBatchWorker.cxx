@@ -15,6 +15,13 @@ namespace helios
 {
 namespace names = vtkHeliosArrayNames;
 
+namespace
+{
+
+constexpr std::chrono::milliseconds ProgressInterval(100);
+
+} // namespace
+
 //------------------------------------------------------------------------------
 BatchWorker::BatchWorker(vtkSmartPointer<vtkHeliosScanner> scanner)
   : Scanner(std::move(scanner))
@@ -37,6 +44,9 @@ BatchWorker::BatchWorker(vtkSmartPointer<vtkHeliosScanner> scanner)
   this->Scanner->AddObserver(vtkCommand::ErrorEvent, this->Observer);
   this->Scanner->AddObserver(vtkCommand::WarningEvent, this->Observer);
   this->Scanner->GetExecutive()->AddObserver(vtkCommand::ErrorEvent, this->Observer);
+  this->Watch->SetClientData(this);
+  this->Watch->SetCallback(&BatchWorker::HandleProgress);
+  this->Scanner->AddObserver(vtkCommand::ProgressEvent, this->Watch);
   this->Pulses = std::max<vtkIdType>(0, this->Scanner->GetNumberOfPulses());
 }
 
@@ -44,6 +54,7 @@ BatchWorker::BatchWorker(vtkSmartPointer<vtkHeliosScanner> scanner)
 BatchWorker::~BatchWorker()
 {
   this->Scanner->RemoveObserver(this->Observer);
+  this->Scanner->RemoveObserver(this->Watch);
   this->Scanner->GetExecutive()->RemoveObserver(this->Observer);
 }
 
@@ -58,10 +69,26 @@ void BatchWorker::StoreError(vtkObject*, unsigned long event, void* self, void* 
 }
 
 //------------------------------------------------------------------------------
+void BatchWorker::HandleProgress(vtkObject* caller, unsigned long, void* self, void*)
+{
+  auto* worker = static_cast<BatchWorker*>(self);
+  auto* scanner = static_cast<vtkAlgorithm*>(caller);
+  const auto now = std::chrono::steady_clock::now();
+  if (worker->OnProgress && now - worker->LastProgress > ProgressInterval)
+  {
+    worker->LastProgress = now;
+    worker->IsStopped = !worker->OnProgress(scanner->GetProgress());
+    scanner->SetAbortExecute(worker->IsStopped ? 1 : 0);
+  }
+}
+
+//------------------------------------------------------------------------------
 Status BatchWorker::Run(
   vtkPolyData* scene, const double position[3], const double orientation[4], vtkIdType firstPulse)
 {
   this->Error.clear();
+  this->IsStopped = false;
+  this->Scanner->SetAbortExecute(0);
   if (scene != this->Scene)
   {
     this->Scanner->SetInputDataObject(0, scene);

@@ -257,6 +257,18 @@ bool vtkHeliosScanBatch::CheckPose(vtkIdType scan, const Scans& scans)
 /// Makes scans until there are none, by the scanner of a thread.
 void vtkHeliosScanBatch::RunItems(Scans& scans, helios::BatchWorker& worker, bool reports)
 {
+  const auto report = [this, &scans](double share)
+  {
+    const double done = static_cast<double>(scans.Done) + share;
+    this->UpdateProgress(done / static_cast<double>(scans.Count()));
+    scans.IsStopped = scans.IsStopped || this->GetAbortExecute() != 0;
+  };
+  worker.SetOnProgress(
+    [&](double share)
+    {
+      reports ? report(share) : void();
+      return !scans.IsStopped;
+    });
   for (std::size_t item = scans.Next++; item < scans.Items.size(); item = scans.Next++)
   {
     for (vtkIdType scan = scans.Items[item].First; scan < scans.Items[item].Last; ++scan)
@@ -272,6 +284,10 @@ void vtkHeliosScanBatch::RunItems(Scans& scans, helios::BatchWorker& worker, boo
       const vtkIdType pulse = scan * worker.GetNumberOfPulses();
       helios::Status status =
         worker.Run(scans.Scenes[static_cast<std::size_t>(scene)], p, q, pulse);
+      if (worker.WasStopped())
+      {
+        return;
+      }
       status = status.IsOk() ? scans.Echoes->Add(scan, worker.GetEchoes()) : status;
       if (!status.IsOk())
       {
@@ -279,11 +295,7 @@ void vtkHeliosScanBatch::RunItems(Scans& scans, helios::BatchWorker& worker, boo
         return;
       }
       ++scans.Done;
-      if (reports)
-      {
-        this->UpdateProgress(static_cast<double>(scans.Done) / static_cast<double>(scans.Count()));
-        scans.IsStopped = scans.IsStopped || this->GetAbortExecute() != 0;
-      }
+      reports ? report(0.0) : void();
     }
   }
 }
