@@ -43,9 +43,11 @@ VARIANTS = {
 KINDS = {"tls": 20, "als": 25, "uls": 80, "mls": 80, "forest": 20, "city": 40, "river": 60}
 # By survey of the folder hashed: variants beside VARIANTS, which test one option each.
 OWN = {
-    "street": {"fixed": "--sub-rays 19 --format las --seed 9 --no-noise", "part": "--part 2/3"},
+    "street": {"fixed": "--sub-rays 19 --format las --seed 9 --no-noise", "part": "--part 2/3",
+               "motion": "--format vtp --velocities --motion"},
     "epochs": {"embree": "--ray-caster embree --format vtp", "copies": "--no-instances --no-accuracy-report"},
-    "glass": {"few": "--max-sub-rays 1024 --energy-tolerance 0.05",
+    "glass": {"scattered": "--scattering-orders 3 --scattering-paths 8 --format vtp --waveforms",
+              "few": "--max-sub-rays 1024 --energy-tolerance 0.05",
               "fog": "--weather 'fog 0.1' --waveforms-in-points --format las --waveforms"},
     "flight": {"tolerance": "--range-tolerance 0.02 --energy-tolerance 0.1", "photons": "--detector photonCounting",
                "gaussian": "--detector gaussian --waveforms"},
