@@ -63,6 +63,10 @@ LegRunner::~LegRunner() = default;
 //------------------------------------------------------------------------------
 bool LegRunner::Plan()
 {
+  if (this->Log.HasError()) // trajectories of parts may have faults
+  {
+    return false;
+  }
   const InputWatch watch(this->Inputs);
   const LegOffsetNoise offsets = { this->Settings.Options.Noise, this->Settings.Options.Seed };
   this->Plans =

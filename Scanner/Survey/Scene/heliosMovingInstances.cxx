@@ -388,7 +388,7 @@ bool MovingInstances::ReadTracks(
       continue;
     }
     const auto reader = MakeTrajectoryReader(file, convention, scene.Crs);
-    this->Log.Listen(reader);
+    this->Log.Listen(reader, file.Where + ": part " + part.Name);
     reader->Update();
     auto track = std::make_shared<Trajectory>();
     Status status;

@@ -268,6 +268,19 @@ TEST_CASE("SurveyMotion: a trajectory that ends before the survey is an error", 
     "tStart" });
 }
 
+TEST_CASE("SurveyMotion: a damaged trajectory is one error, which names the part", "[SurveyMotion]")
+{
+  const Files files;
+  files.Write("path.csv", "3,0,0,0,0,0,0\n4,0,0,0,1,0,nan\n");
+  files.Replace("scene.xml", "</part>", "\n<trajectory file=\"path.csv\"/></part>");
+  const Reading reading(files, Flight, ThreeLegs);
+  REQUIRE(reading.Good);
+  Playing playing(files, reading);
+  playing.CheckFails(
+    { "scene.xml:4: part floor: ", "path.csv:2: \"nan\" in column 6 is not finite" });
+  CHECK(playing.Log->Errors.find("cannot follow this trajectory") == std::string::npos);
+}
+
 TEST_CASE("SurveyMotion: turbid voxels do not move", "[SurveyMotion]")
 {
   const Files files;
