@@ -24,7 +24,7 @@ helios_packages=(
 )
 # What tests need besides.
 helios_test_packages=(
-  cloudcompare python3-pytest python3-gdal python3-pil imagemagick python3-lxml python3-yaml black codespell strace
+  cloudcompare python3-pytest python3-pytest-xdist python3-gdal python3-pil imagemagick python3-lxml python3-yaml black codespell strace
   xdotool zsh fish
 )
 

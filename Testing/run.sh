@@ -86,7 +86,7 @@ run_ctest build
 helios_say "pytest"
 kinds=(-m "not slow")
 $slow && kinds=()
-build/venv/bin/python -m pytest "${kinds[@]}" || failed+=(pytest)
+build/venv/bin/python -m pytest -n 2 --dist loadfile "${kinds[@]}" || failed+=(pytest)
 
 if [ "$fuzz" -gt 0 ]; then
   helios_say "fuzz: $fuzz damaged files"
