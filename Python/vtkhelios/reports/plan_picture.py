@@ -23,9 +23,9 @@ from .picture import BACKGROUND_BOTTOM, BAR, HEIGHTS, MARK, OVERSAMPLING, TEXT, 
 from .plan_colours import NOT_COVERABLE, SCANS, UNSEEN
 
 MAXIMUM_NUMBERS = 40  # positions with a number beside them
-NEARBY = 2.0  # of the larger steps between test points; beyond is outside of the plan
+NEARBY = 2.0  # larger steps between test points: the reach of the plan
 OUTSIDE = (0.24, 0.26, 0.29)
-SMALL = 0.6  # of the width and depth of the scene; a smaller plan is shown alone
+SMALL = 0.6  # largest share of the width and depth of the scene for a plan that is shown alone
 
 
 def save_picture(
