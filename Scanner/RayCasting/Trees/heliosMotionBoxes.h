@@ -26,8 +26,8 @@ struct MovingBoxes
   BoxTree Boxes;
 };
 
-/// Of a scene and its motions. Thread-safe: boxes are made by the first thread that is at a moment of
-/// a span, of more pulses the less the instances move. Results do not depend on them.
+/// Boxes for the motions of a scene. Thread-safe: the first thread at a moment of a span makes its
+/// boxes; a span has more pulses the less the instances move. Results do not depend on them.
 class MotionBoxes
 {
 public:
@@ -52,10 +52,10 @@ private:
   std::weak_ptr<const InstanceMotions> Motions;
   std::mutex Mutex;
   std::vector<int> Instances;                             ///< numbers of those that move
-  std::vector<std::unique_ptr<InstanceTrack>> Tracks;     ///< theirs; empty: not made yet
+  std::vector<std::unique_ptr<InstanceTrack>> Tracks;     ///< their tracks; empty: not made yet
   vtkIdType Pulses = 1024;                                ///< pulses of the last span
   std::array<std::shared_ptr<const MovingBoxes>, 8> Last; ///< the last ones made
-  std::size_t Next = 0;                                   ///< the oldest of them
+  std::size_t Next = 0;                                   ///< the oldest one
 };
 
 } // namespace helios
