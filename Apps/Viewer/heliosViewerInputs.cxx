@@ -72,6 +72,7 @@ Status ShowSceneFile(Viewer& viewer, const std::string& fileName, vtkPolyData* a
   SetInput(reader.Get(), fileName, viewer.GetOptions().Assets);
   reader->SetPlatform(DefaultPlatform); // any file: only its scene is shown
   reader->SetScanner(DefaultScanner);
+  reader->UseMovingPartsOn();
   reader->KeepGridsOn();
   reader->InstancesOn();
   reader->Update();

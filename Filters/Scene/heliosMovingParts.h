@@ -42,11 +42,11 @@ struct MovingPart
 };
 
 /// Finds the parts of a scene that have motions.
-Status FindMovingParts(vtkPolyData* scene,
+VTKHELIOSFILTERSSCENE_EXPORT Status FindMovingParts(vtkPolyData* scene,
   const std::map<int, std::vector<MotionSequence>>& motions, std::vector<MovingPart>& parts);
 
 /// Moves the points of parts, and rotates the active normals of their cells; one map per part.
-void MoveParts(
+VTKHELIOSFILTERSSCENE_EXPORT void MoveParts(
   const std::vector<MovingPart>& parts, const std::vector<MotionMap>& maps, vtkPolyData* scene);
 
 /// Returns the number of whole steps in a time; a step lost to rounding counts.

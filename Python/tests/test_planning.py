@@ -100,6 +100,7 @@ GIVEN = {
     "tolerance": (0.02, 0.03),
     "two_sided": (True, False),
     "scanner_limits": (True, False),
+    "moving_parts": (True, False),
     "range_min": (0.25, 0.5),
     "range_max": (30, 40),
     "elevation_min": (-80, -85),
@@ -129,7 +130,7 @@ DOCUMENT = """\
 """
 FULL = """method="best" gridSizePSP_m="2" gridSizePSPy_m="2.5" gridSizeVTP_m="1" vtpLines="vertical"
  maxSlope_deg="20" groundOnly="false" enclosed="true" scannerHeight_m="1.5" hitTolerance_m="0.02"
- hitBehind="false" scannerLimits="true" rangeMin_m="0.25" rangeMax_m="30" elevationMin_deg="-80"
+ hitBehind="false" scannerLimits="true" movingParts="true" rangeMin_m="0.25" rangeMax_m="30" elevationMin_deg="-80"
  elevationMax_deg="70" maxIncidence_deg="89" minPointDensity_1_m2="1" minCoverage_percent="50"
  coverageOf="all" areaWeights="true" timeLimit_s="20" """
 
@@ -154,9 +155,13 @@ def test_a_document_and_settings_that_override_it(write_document, by_document):
     column = 0 if by_document else 1
     given = {} if by_document else {name: values[1] for name, values in GIVEN.items()}
     # The reader's, which only add to the document.
-    given.pop("scanner_limits", None)
+    for name in ("scanner_limits", "moving_parts"):
+        given.pop(name, None)
     task = planning.PlanTask(write_document(FULL), **given)
-    wanted = {name: values[column] for name, values in GIVEN.items()} | {"scanner_limits": True}
+    wanted = {name: values[column] for name, values in GIVEN.items()} | {
+        "scanner_limits": True,
+        "moving_parts": True,
+    }
     assert {name: task.settings[name] for name in GIVEN} == wanted
     assert report_settings(task.settings)["hitBehind"] != wanted["two_sided"]
     assert "timeLimit_s" in report_settings({**wanted, "method": "optimal"})

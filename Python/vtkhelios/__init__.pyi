@@ -4257,7 +4257,16 @@ class vtkHeliosPlannerReader(vtkPolyDataAlgorithm):
         """Returns the method: reduce, bestcoverage, greedy, best or
         optimal, empty without a ; the removal criterion of reduce:
         viewshedSize or meanIncidenceAngle; whether limits that are not
-        given come from the scanner.
+        given come from the scanner; whether the scene has its moving
+        parts.
+        """
+    @property
+    def moving_parts(self) -> bool:
+        """Returns the method: reduce, bestcoverage, greedy, best or
+        optimal, empty without a ; the removal criterion of reduce:
+        viewshedSize or meanIncidenceAngle; whether limits that are not
+        given come from the scanner; whether the scene has its moving
+        parts.
         """
     @property
     def number_of_input_ports(self) -> int:
@@ -4305,7 +4314,8 @@ class vtkHeliosPlannerReader(vtkPolyDataAlgorithm):
         """Returns the method: reduce, bestcoverage, greedy, best or
         optimal, empty without a ; the removal criterion of reduce:
         viewshedSize or meanIncidenceAngle; whether limits that are not
-        given come from the scanner.
+        given come from the scanner; whether the scene has its moving
+        parts.
         """
     resolution: float
     """Set/Get the angle between pulses of a line and between lines
@@ -4322,7 +4332,8 @@ class vtkHeliosPlannerReader(vtkPolyDataAlgorithm):
         """Returns the method: reduce, bestcoverage, greedy, best or
         optimal, empty without a ; the removal criterion of reduce:
         viewshedSize or meanIncidenceAngle; whether limits that are not
-        given come from the scanner.
+        given come from the scanner; whether the scene has its moving
+        parts.
         """
     @property
     def scanner_reference(self) -> Optional[str]:
@@ -4338,12 +4349,17 @@ class vtkHeliosPlannerReader(vtkPolyDataAlgorithm):
         file.xml#id. That of the scene is empty if the file is a mesh, or
         the scene is on port 0.
         """
+    use_moving_parts: bool
+    """Set/Get whether the scene has its moving parts, where they are at
+    the start of a survey, whatever the file says. Default: off, the
+    file decides.
+    """
     use_scanner_limits: bool
     """Set/Get whether range and elevation limits that the file does not
     give come from the scanner, whatever the file says. Default: off,
     the file decides.
     """
-    def __init__(self, *, abort_execute: int = ..., default_platform: Optional[str] = ..., default_scanner: Optional[str] = ..., file_name: Optional[str] = ..., instances: bool = ..., keep_grids: bool = ..., platform: Optional[str] = ..., progress_text: Optional[str] = ..., pulse_frequency: float = ..., resolution: float = ..., scanner: Optional[str] = ..., use_scanner_limits: bool = ...) -> None: ...
+    def __init__(self, *, abort_execute: int = ..., default_platform: Optional[str] = ..., default_scanner: Optional[str] = ..., file_name: Optional[str] = ..., instances: bool = ..., keep_grids: bool = ..., platform: Optional[str] = ..., progress_text: Optional[str] = ..., pulse_frequency: float = ..., resolution: float = ..., scanner: Optional[str] = ..., use_moving_parts: bool = ..., use_scanner_limits: bool = ...) -> None: ...
     def __rshift__(self, right: Any) -> Pipeline: ...
     def __rrshift__(self, left: Any) -> Pipeline: ...
     def __call__(self, data: Any = None) -> Any: ...
@@ -4369,6 +4385,7 @@ class vtkHeliosPlannerReader(vtkPolyDataAlgorithm):
     def GetLegVerticalAngleMax(self) -> float: ...
     def GetLegVerticalAngleMin(self) -> float: ...
     def GetMethod(self) -> str: ...
+    def GetMovingParts(self) -> bool: ...
     def GetNumberOfGenerationsFromBase(self, type: str) -> int: ...
     @staticmethod
     def GetNumberOfGenerationsFromBaseType(type: str) -> int: ...
@@ -4386,6 +4403,7 @@ class vtkHeliosPlannerReader(vtkPolyDataAlgorithm):
     def GetScannerLimits(self) -> bool: ...
     def GetScannerReference(self) -> str: ...
     def GetSceneReference(self) -> str: ...
+    def GetUseMovingParts(self) -> bool: ...
     def GetUseScannerLimits(self) -> bool: ...
     def HasRotatingMirror(self) -> bool: ...
     def InstancesOff(self) -> None: ...
@@ -4409,7 +4427,10 @@ class vtkHeliosPlannerReader(vtkPolyDataAlgorithm):
     def SetPulseFrequency(self, _arg: float) -> None: ...
     def SetResolution(self, _arg: float) -> None: ...
     def SetScanner(self, _arg: str) -> None: ...
+    def SetUseMovingParts(self, _arg: bool) -> None: ...
     def SetUseScannerLimits(self, _arg: bool) -> None: ...
+    def UseMovingPartsOff(self) -> None: ...
+    def UseMovingPartsOn(self) -> None: ...
     def UseScannerLimitsOff(self) -> None: ...
     def UseScannerLimitsOn(self) -> None: ...
 
@@ -5924,7 +5945,9 @@ class vtkHeliosRunOptions(vtkObject):
     no extinction and no weather; "voxels", turbid voxels are air;
     "motion", the platform stands still during a scan line (1 / scan
     frequency); "attitude", it has the orientation of the last sample
-    of its trajectory. Default: empty, none.
+    of its trajectory; "scattering", light is scattered once;
+    "partMotion", parts of the scene stand where they are at time 0
+    of the survey. Default: empty, none.
     """
     def __init__(self, *, accuracy: Optional[str] = ..., accuracy_report: bool = ..., bin_size: float = ..., echo_detector: Optional[str] = ..., energy_tolerance: float = ..., epoch: int = ..., gps_start: Optional[str] = ..., maximum_sub_rays: int = ..., noise: bool = ..., number_of_sub_rays: int = ..., pulse_step: int = ..., range_tolerance: float = ..., ray_caster: Optional[str] = ..., scattering_orders: int = ..., scattering_paths: int = ..., seed: int = ..., sub_ray_pattern: Optional[str] = ..., weather: Optional[str] = ..., without: Optional[str] = ...) -> None: ...
     def AccuracyReportOff(self) -> None: ...
@@ -7680,7 +7703,9 @@ class vtkHeliosSurvey(vtkObject):
     def number_of_parts(self) -> int:
         """The parts of the scene; those that are not of tables come first,
         and can be changed one by one. The name is empty if the part does
-        not exist.
+        not exist. GetPartMotion() describes how a part moves during the
+        survey, by itself or carried: "along car.csv"; empty if it does
+        not.
         """
     @property
     def number_of_platforms(self) -> int:
@@ -7692,7 +7717,9 @@ class vtkHeliosSurvey(vtkObject):
     def number_of_single_parts(self) -> int:
         """The parts of the scene; those that are not of tables come first,
         and can be changed one by one. The name is empty if the part does
-        not exist.
+        not exist. GetPartMotion() describes how a part moves during the
+        survey, by itself or carried: "along car.csv"; empty if it does
+        not.
         """
     @property
     def platform_name(self) -> Optional[str]:
@@ -7738,6 +7765,7 @@ class vtkHeliosSurvey(vtkObject):
     def GetNumberOfScanners(self) -> int: ...
     def GetNumberOfSingleParts(self) -> int: ...
     def GetPartAttribute(self, part: int, name: str) -> str: ...
+    def GetPartMotion(self, part: int) -> str: ...
     def GetPartName(self, part: int) -> str: ...
     def GetPartTableAttribute(self, table: int, name: str) -> str: ...
     def GetPlatformAttribute(self, platform: int, name: str) -> str: ...

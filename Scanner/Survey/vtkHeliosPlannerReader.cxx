@@ -3,6 +3,7 @@
 #include "vtkHeliosPlannerReader.h"
 
 #include "heliosMessages.h"
+#include "heliosMovingInstances.h"
 #include "heliosPlannerData.h"
 #include "heliosSceneBuilder.h"
 #include "heliosXmlPlanner.h"
@@ -28,6 +29,15 @@ namespace
 std::string Text(const char* text)
 {
   return text ? text : "";
+}
+
+/// Returns a scene with its moving parts where they are at the start; null after an error.
+vtkSmartPointer<vtkPolyData> PlaceAtStart(
+  const helios::SurveyData& survey, vtkPolyData* scene, helios::Messages& log)
+{
+  helios::MovingInstances parts(survey.Scene, scene, survey.Convention, log);
+  parts.StandStill();
+  return log.HasError() ? nullptr : parts.GetScene();
 }
 
 } // namespace
@@ -98,6 +108,7 @@ bool vtkHeliosPlannerReader::Read()
   request.DefaultPlatform = Text(this->DefaultPlatform);
   request.DefaultScanner = Text(this->DefaultScanner);
   request.UseScannerLimits = this->UseScannerLimits;
+  request.UseMovingParts = this->UseMovingParts;
   request.Resolution = this->Resolution;
   request.PulseFrequency = this->PulseFrequency;
   try
@@ -164,7 +175,8 @@ int vtkHeliosPlannerReader::RequestData(
     this->UpdateProgress(this->GetProgress());
     return this->GetAbortExecute() == 0;
   };
-  const vtkSmartPointer<vtkPolyData> scene = builder.Build(onStep);
+  const vtkSmartPointer<vtkPolyData> scene =
+    PlaceAtStart(this->GetData().Survey, builder.Build(onStep), log);
   this->Reader->Grids.clear();
   if (scene)
   {
@@ -227,6 +239,7 @@ HELIOS_VALUE(std::string, ScannerReference, this->GetData().ScannerReference)
 HELIOS_VALUE(std::string, Method, this->GetSettings().Method)
 HELIOS_VALUE(std::string, RemoveOrder, this->GetSettings().RemoveOrder)
 HELIOS_VALUE(bool, ScannerLimits, this->GetSettings().HasScannerLimits)
+HELIOS_VALUE(bool, MovingParts, this->GetSettings().HasMovingParts)
 HELIOS_VALUE(double, LegPulseFrequency, GetScan(this->GetData()).PulseFrequency)
 HELIOS_VALUE(double, LegScanFrequency, GetScan(this->GetData()).ScanFrequency)
 HELIOS_VALUE(double, LegScanAngle, GetScan(this->GetData()).ScanAngle)
@@ -273,6 +286,7 @@ void vtkHeliosPlannerReader::PrintSelf(ostream& os, vtkIndent indent)
      << indent << "DefaultPlatform: " << Text(this->DefaultPlatform) << "\n"
      << indent << "DefaultScanner: " << Text(this->DefaultScanner) << "\n"
      << indent << "UseScannerLimits: " << this->UseScannerLimits << "\n"
+     << indent << "UseMovingParts: " << this->UseMovingParts << "\n"
      << indent << "KeepGrids: " << this->KeepGrids << "\n"
      << indent << "Instances: " << this->Instances << "\n"
      << indent << "Resolution: " << this->Resolution << "\n"

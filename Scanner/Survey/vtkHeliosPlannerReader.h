@@ -14,7 +14,8 @@
  * - else the first <scene>, scanned with DefaultPlatform and DefaultScanner;
  * - a file that ends in .obj, .tif or .tiff is itself the scene. If parts of the scene are swapped,
  *   the first epoch is used; turbid voxels are not in the output: with KeepGrids, GetGrid() returns
- *   them.
+ *   them. Parts that move are left out, or, with UseMovingParts, where they are at time 0 of a
+ *   survey; a warning names them.
  *
  * The platform must be static, and the scanner must rotate. Platform and Scanner override the
  * file's. The scanner rotates a full circle unless a <scannerSettings> says otherwise, at the
@@ -100,6 +101,16 @@ public:
 
   ///@{
   /**
+   * Set/Get whether the scene has its moving parts, where they are at the start of a survey, whatever
+   * the file says. Default: off, the file decides.
+   */
+  vtkSetMacro(UseMovingParts, bool);
+  vtkGetMacro(UseMovingParts, bool);
+  vtkBooleanMacro(UseMovingParts, bool);
+  ///@}
+
+  ///@{
+  /**
    * Set/Get the angle between pulses of a line and between lines [deg], which overrides the file.
    * The nearest supported by the scanner is used. Valid range: [0, 90]. Default: 0, as in the file,
    * else 0.1.
@@ -139,11 +150,12 @@ public:
   /**
    * Returns the method: reduce, bestcoverage, greedy, best or optimal, empty without a
    * <surveyPlanner>; the removal criterion of reduce: viewshedSize or meanIncidenceAngle; whether
-   * limits that are not given come from the scanner.
+   * limits that are not given come from the scanner; whether the scene has its moving parts.
    */
   std::string GetMethod() const;
   std::string GetRemoveOrder() const;
   bool GetScannerLimits() const;
+  bool GetMovingParts() const;
   ///@}
 
   /**
@@ -224,6 +236,7 @@ private:
   char* DefaultPlatform = nullptr;
   char* DefaultScanner = nullptr;
   bool UseScannerLimits = false;
+  bool UseMovingParts = false;
   double Resolution = 0.0;
   double PulseFrequency = 0.0;
   bool KeepGrids = false;

@@ -3,6 +3,7 @@
 #include "vtkHeliosSurvey.h"
 
 #include "heliosEpochs.h"
+#include "heliosPartMotions.h"
 #include "heliosSurveyDocument.h"
 #include "heliosXmlValue.h"
 
@@ -419,6 +420,18 @@ std::string vtkHeliosSurvey::GetPartName(int part) const
 {
   const bool exists = part >= 0 && part < this->GetNumberOfParts();
   return exists ? this->GetData().Scene.Parts[static_cast<std::size_t>(part)].Name : std::string();
+}
+
+//------------------------------------------------------------------------------
+std::string vtkHeliosSurvey::GetPartMotion(int part) const
+{
+  const auto& parts = this->GetData().Scene.Parts;
+  const auto number = static_cast<std::size_t>(part);
+  const bool mayMove =
+    part >= 0 && part < this->GetNumberOfParts() && parts[number].Motion.IsMoving();
+  return mayMove && helios::FindMoving(parts).count(number) > 0
+    ? helios::DescribeMotion(parts[number].Motion)
+    : std::string();
 }
 
 //------------------------------------------------------------------------------

@@ -292,11 +292,13 @@ public:
   ///@{
   /**
    * The parts of the scene; those that are not of tables come first, and can be changed one by one.
-   * The name is empty if the part does not exist.
+   * The name is empty if the part does not exist. GetPartMotion() describes how a part moves during
+   * the survey, by itself or carried: "along car.csv"; empty if it does not.
    */
   int GetNumberOfParts() const;
   int GetNumberOfSingleParts();
   std::string GetPartName(int part) const;
+  std::string GetPartMotion(int part) const;
   ///@}
 
   /**

@@ -309,6 +309,18 @@ def _inspect_part(part):
     }
 
 
+def list_moving(survey):
+    """The parts that move, and how, of a vtkHeliosSurvey."""
+    motions = (
+        (survey.GetPartName(i), survey.GetPartMotion(i)) for i in range(survey.GetNumberOfParts())
+    )
+    return [
+        {"part": text_from_vtk(name), "motion": text_from_vtk(motion)}
+        for name, motion in motions
+        if motion
+    ]
+
+
 def inspect_survey(path, assets, messages):
     """Facts about a survey, or None after an error."""
     reader = make_reader(str(path), assets)
@@ -335,6 +347,7 @@ def inspect_survey(path, assets, messages):
         "platform": text_from_vtk(survey.GetPlatformName()),
         "moving": survey.IsMoving(),
         "scene": text_from_vtk(survey.GetSceneName()),
+        "movingParts": list_moving(survey),
         "epochs": survey.GetNumberOfEpochs(),
         "seed": survey.GetSeed(),
         "legs": legs,

@@ -63,6 +63,7 @@ TEXTS = {  # help of each setting, by group
         "0.05)",
         "two_sided": "also limit the distance behind it: the test of the paper",
         "scanner_limits": "use the scanner's range gate and field of view where no limit is given",
+        "moving_parts": "plan with the parts that move, where they are at the start (default: they are left out)",
         "range_min": "minimum range (default: 0)",
         "range_max": "maximum range (default: no limit)",
         "elevation_min": "vertical FOV, minimum (default: -90)",

@@ -231,11 +231,20 @@ def _count(things, word):
     return f"{len(things)} {word}{'s'[: len(things) != 1]}"
 
 
+def moving_lines(parts):
+    """Yields the parts that move, and how."""
+    for index, part in enumerate(parts[:MOST]):
+        yield f"{'' if index else 'moving':10} {part['part']}: {part['motion']}"
+    if len(parts) > MOST:
+        yield f"           and {len(parts) - MOST} more"
+
+
 def survey_lines(facts):
     yield f"survey     {facts['name']} ({facts['file']})"
     yield f"scanner    {facts['scanner']}"
     yield f"platform   {facts['platform']}, {'moving' if facts['moving'] else 'static'}"
     yield f"scene      {facts['scene']}"
+    yield from moving_lines(facts["movingParts"])
     if facts["epochs"] > 1:
         yield f"epochs     {facts['epochs']}"
     yield f"legs       {len(facts['legs'])}, {sum(leg['active'] for leg in facts['legs'])} active"

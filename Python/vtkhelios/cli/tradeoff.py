@@ -58,8 +58,11 @@ Then it leaves out each part of the model:
   voxels        turbid voxels are air
   motion        the platform stands still during a scan line
   attitude      it has the orientation of the last sample of its trajectory
+  scattering    light is scattered once; of surveys that have one order, three are added
+  partMotion    parts of the scene stand where they are at the start
 and adds the noise; and it leaves out, and simplifies, each of the six largest parts of the scene. The
-differences from the survey as it is show what matters in this scene, and what it costs.
+differences from the survey as it is show what matters in this scene, and what it costs; a verdict says it
+in words: what changes by more than 1 mm or 1 %, and the time that it takes.
 Noise and turbid voxels are left out of all comparisons with the reference.
 
 time: three times that of the run, and at least 10 s of processor time; --seconds gives more. Settings are

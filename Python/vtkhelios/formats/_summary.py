@@ -94,6 +94,7 @@ WHOLE = {
         "mount": {"position_m": _three, "orientation": _four},
         **dict.fromkeys(("firstReturns", "points", "pulses", "pulsesFired", "pulsesHit"), _count),
     }],
+    "movingParts": [{"part": _text, "motion": _text, "speed_m_s": [_number]}],
     "options": _OPTIONS,
     "part": {"number": _index, "count": _index, "command": _text},
     "rayCaster": _text,

@@ -118,6 +118,9 @@ def plan(
     scanner_limits
         True: range gate and field of view of the scanner, where no limit is given.
         Default: False.
+    moving_parts
+        True: the scene has its moving parts, where they are at the start of the survey. Default:
+        False, they are left out.
     range_min, range_max
         [m], [0, 1e9]. Default: no limits.
     elevation_min, elevation_max

@@ -65,6 +65,7 @@ SETTINGS = {
     "tolerance": Number("hitTolerance_m", "viewsheds.hit_tolerance", unit="m"),
     "two_sided": Flag("hitBehind", "viewsheds.both_sides", reports_opposite=True),
     "scanner_limits": Flag("scannerLimits", "document.use_scanner_limits"),
+    "moving_parts": Flag("movingParts", "document.use_moving_parts"),
     "range_min": Number("rangeMin_m", "viewsheds.minimum_range", unit="m"),
     "range_max": Number("rangeMax_m", "viewsheds.maximum_range", unit="m"),
     "elevation_min": Number("elevationMin_deg", "viewsheds.minimum_elevation", unit="deg"),
@@ -139,6 +140,7 @@ def fill_filters(plan, given):
     values = {name: setting.read(objects) for name, setting in SETTINGS.items()}
     values["method"] = values["method"] or "best"
     values["scanner_limits"] = objects["document"].GetScannerLimits()
+    values["moving_parts"] = objects["document"].GetMovingParts()
     if "grid" in given:
         given = {"grid_y": given["grid"], "test_grid": given["grid"], **given}
     for name, value in given.items():

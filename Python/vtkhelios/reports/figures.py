@@ -10,6 +10,7 @@ from ..array_names import (
 )  # fmt: skip
 from ..formats import FormatError
 from ..formats._base import rows_of
+from .moving import MovingParts
 from .raster import FARTHEST, Histogram, Raster, is_near, tally
 
 HISTOGRAMS = {  # key: finest bin
@@ -35,6 +36,7 @@ class Figures:
         self.range_is_computed = False
         self._path = None  # path of the platform: times, positions
         self._scan = None
+        self._moving, self._summary = MovingParts(), {}
 
     def add(self, chunk, reader):
         """Counts the points of a chunk."""
@@ -59,6 +61,8 @@ class Figures:
             )
         self.count += rows_of(chunk)
         self.legs[reader.scan] += rows_of(chunk)
+        self._summary = reader.summary
+        self._moving.add(chunk, reader)
         if len(points):
             self.low = np.minimum(self.low, points.min(axis=0))
             self.high = np.maximum(self.high, points.max(axis=0))
@@ -108,8 +112,13 @@ class Figures:
         scans = self.raster.scans()
         return float((scans >= 2).sum() / max(1, (scans >= 1).sum()))
 
+    def moving_parts(self):
+        """Returns the parts that moved, see MovingParts.to_list()."""
+        return self._moving.to_list(self._summary)
+
     def to_dict(self):
         """Returns the numbers, for tests and --json."""
+        moving = self.moving_parts()
         return {
             "points": self.count,
             "cell_m": self.raster.cell,
@@ -123,4 +132,5 @@ class Figures:
                 key: each.quantile(0.5) for key, each in self.histograms.items() if len(each.counts)
             },
             "pointsOfFiles": self.legs,
+            **({"movingParts": moving} if moving else {}),
         }

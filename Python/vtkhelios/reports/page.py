@@ -11,6 +11,7 @@ from ..core.words import counted, noun, time_span
 from ..formats._classes import CLASSES
 from . import charts
 from .accuracy import accuracy_rows
+from .moving import HEADS, moving_rows
 from .options import describe_options
 from .raster import Histogram, is_near
 from .run import describe_paths, describe_time, readable
@@ -58,6 +59,8 @@ def write_page(summary, figures, reader, cloud=None):
         leg_heads=LEG_HEADS,
         legs=_legs(summary),
         files=_files(figures, reader),
+        moving_heads=HEADS,
+        moving=moving_rows(figures.moving_parts()),
         settings=_settings(summary),
         inputs=_inputs(summary),
     )
@@ -77,6 +80,10 @@ def _tiles(summary, figures):
     ]
     if figures.overlap() is not None:
         tiles.append((f"{100 * figures.overlap():.1f} %", "overlap: covered by two legs or more"))
+    moving = [part["points"] for part in figures.moving_parts() if "points" in part]
+    if moving:
+        share = 100 * sum(moving) / max(1, figures.count)
+        tiles.append((f"{share:.2g} %", "of the points on parts that moved"))
     is_joined = "parts_s" in timings
     rate = f"{fired / max(seconds, 1e-9) / 1e6:.2f} M pulses/s"
     tiles.append((time_span(seconds),

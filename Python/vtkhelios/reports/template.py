@@ -79,6 +79,8 @@ between the first and the last non-empty cell of their row and of their column.<
 <h2>Legs</h2>
 {{ table(leg_heads, legs) }}
 {{ table(("file", "points"), files) if files }}
+{%- if moving %}<h2>Moving parts</h2>
+{{ table(moving_heads, moving, text=(0, 1)) }}<p class="note">Speed: of the centroid, at moments of the legs. Radial velocity: of the echoes, positive if scanner and part move apart, of runs with <code>--velocities</code>.</p>{% endif %}
 <h2>Run</h2>
 {{ table(("", ""), settings, text=(0, 1), hidden=True) }}
 <h2>Inputs</h2>

@@ -107,7 +107,8 @@ def _cells(row, columns):
 
 
 def _note(row):
-    return f"  {row.detail}" if row.detail else ""
+    notes = [note for note in (row.detail, row.verdict) if note]
+    return f"  {'; '.join(notes)}" if notes else ""
 
 
 def _cell(row, name, factor):

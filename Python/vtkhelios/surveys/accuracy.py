@@ -157,6 +157,7 @@ class Sampler:
         options = self._complete(options)
         ranks = [(2 * i + 1) * len(self._fired_ids) // (2 * WINDOWS) for i in range(WINDOWS)]
         places = sorted({int(self._fired_ids[rank]) for rank in ranks})
+        self._time_window(places[0], 1, options)  # plans and builds trees
         idle = [self._time_window(place, 1, options) for place in places]
 
         def measure():

@@ -125,6 +125,7 @@ class PlanSettings(TypedDict, total=False):
     tolerance: Any
     two_sided: Any
     scanner_limits: Any
+    moving_parts: Any
     range_min: Any
     range_max: Any
     elevation_min: Any

@@ -114,6 +114,15 @@ class Survey:
         """
         return Parts(self.vtk)
 
+    @property
+    def moving_parts(self) -> dict:
+        """The parts of the scene that move, and how: {"car": "along car.csv", "wheel": "continuous, on car"}."""
+        return {
+            text_from_vtk(self.vtk.GetPartName(part)): text_from_vtk(motion)
+            for part in range(self.vtk.GetNumberOfParts())
+            if (motion := self.vtk.GetPartMotion(part))
+        }
+
     def write(self, path) -> None:
         """Writes the survey to an XML file, or to YAML by its ending, however it was made.
 
@@ -222,8 +231,8 @@ class Survey:
             of waveforms [ns].
         without
             parts of the model that are left out: "divergence", "waveform", "specular", "spectra",
-            "atmosphere", "voxels", "motion" or "attitude" (see vtkHeliosRunOptions), or several,
-            separated by blanks.
+            "atmosphere", "voxels", "motion", "attitude", "scattering" or "partMotion" (see
+            vtkHeliosRunOptions), or several, separated by blanks.
         mesh
             that beams hit in place of the scene, which the legs are still planned on: a
             vtkPolyData made of ``survey.scene``, with fewer triangles or without some parts.

@@ -22,6 +22,11 @@ PART, SCENE_PART = "part", "scene part"
 # Ways that a survey file can name, with the same echo detector and bins.
 SETTINGS = (SURVEY, SUB_RAYS, TOLERANCE, RAY_CASTER)
 TOLD = 0.1  # smaller differences of times are chance
+CHANGES = (  # rows of a verdict: measure, factor to mm or %, text
+    ("missedAndInvented", 100.0, "{} % of the echoes missed or invented"),
+    ("positionP95_m", 1e3, "positions by {} mm"),
+    ("amplitudeRms", 100.0, "amplitudes by {} %"),
+)
 
 
 @dataclasses.dataclass
@@ -38,6 +43,7 @@ class Row:
     memory: float = 0.0  #: of the scene and the trees of its ray caster [bytes]
     unclear: tuple = ()  #: measures below three times the error of the reference
     detail: str = ""  #: of a mesh: its triangles and its distance from the scene
+    verdict: str = ""  #: of a part of the model: what it changes, and its share of the time
 
     @property
     def range_error(self):
@@ -64,7 +70,44 @@ class Row:
         for name, estimate in self.errors.items():
             ends = {f"{name}_lower": estimate.lower, f"{name}_upper": estimate.upper}
             row |= {name: estimate.value, **ends}
-        return row | {"unclear": " ".join(self.unclear), "detail": self.detail}
+        return row | {
+            "unclear": " ".join(self.unclear),
+            "detail": self.detail,
+            "verdict": self.verdict,
+        }
+
+
+def find_verdict(row, whole):
+    """Returns what leaving out (or adding) a part of the model changes and costs, in words.
+
+    Changes of less than 1 mm and 1 % are small; those below three times the error of the reference, and
+    times below TOLD, cannot be told.
+    """
+    clear = {name: each.value for name, each in row.errors.items() if name not in row.unclear}
+    changes = [
+        text.format(_short(factor * clear[name]))
+        for name, factor, text in CHANGES
+        if factor * clear.get(name, 0.0) >= 1.0
+    ]
+    if changes:
+        text = f"matters: {', '.join(changes)}"
+    else:
+        text = "small: below 1 mm and 1 %" if any(clear.values()) else "no difference"
+    return f"{text}; {_describe_time(row.seconds / max(1e-12, whole.seconds))}"
+
+
+def _describe_time(ratio):
+    """Returns the cost of a part of the model, from the time without it over the time with it."""
+    if abs(ratio - 1.0) < TOLD:
+        return "no time"
+    if ratio < 1.0:
+        return f"{_short(100.0 * (1.0 - ratio))} % of the time"
+    return f"{_short(ratio)} times the time"
+
+
+def _short(value):
+    """Returns a number with two digits."""
+    return f"{float(f'{value:.2g}'):,g}"
 
 
 class Table:

@@ -335,7 +335,9 @@ class _Run:
         cloud, _ = self._sampler.run(**options)
         before, seconds = self._sampler.time_pair({}, options)
         seconds *= base.seconds / max(1e-12, before)
-        return self._compare_part(name, kinds.PART, options, cloud, whole, seconds=seconds)
+        row = self._compare_part(name, kinds.PART, options, cloud, whole, seconds=seconds)
+        row.verdict = kinds.find_verdict(row, base)
+        return row
 
     def _compare_part(self, name, kind, options, cloud, whole, detail="", **more):
         errors = _only(self._sampler.compare(cloud, whole))
@@ -353,6 +355,8 @@ class _Run:
             return "no material is specular"
         if part == "spectra" and not any(map(meshes.has_spectra, [self._scene, *grids])):
             return "no material has a spectrum"
+        if part == "partMotion" and not self._survey.moving_parts:
+            return "no part of the scene moves"
         if part in ("motion", "attitude") and not _moves(self._survey):
             return "the platform does not move while it scans"
         return ""

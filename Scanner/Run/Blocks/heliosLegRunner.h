@@ -113,6 +113,9 @@ public:
   /// Returns the size of scene and ray caster [bytes].
   double GetSceneSize() const { return this->Scanner.GetSceneSize(); }
 
+  /// Returns the parts that move, with their speeds in the legs.
+  std::vector<PartSpeeds> GetSpeeds() const { return this->Scanner.GetSpeeds(this->Plans); }
+
 private:
   /// Pieces [First, Last) of the Count pieces of a leg.
   struct PieceRange

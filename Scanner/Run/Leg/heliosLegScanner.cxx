@@ -55,7 +55,7 @@ LegScanner::LegScanner(
   , Settings(settings)
   , Log(log)
   , Motion(survey.Scene, settings.Mesh ? settings.Mesh.Get() : scene, survey.Convention, log)
-  , Scenes(this->Motion.GetScene(), survey.Scene.SpectraFolders, log)
+  , Scenes(this->FindScene(), survey.Scene.SpectraFolders, log)
   , Scanner(None)
   , Platform(None)
   , FirstPulse(0)
@@ -73,6 +73,17 @@ LegScanner::LegScanner(
 
 //------------------------------------------------------------------------------
 LegScanner::~LegScanner() = default;
+
+//------------------------------------------------------------------------------
+/// Returns the scene that moves, or whose parts stand where they are at the start.
+vtkPolyData* LegScanner::FindScene()
+{
+  if (this->Settings.Options.IsWithout("partMotion"))
+  {
+    this->Motion.StandStill();
+  }
+  return this->Motion.GetScene();
+}
 
 //------------------------------------------------------------------------------
 void LegScanner::SetUp(const LegPlan& plan)
@@ -339,6 +350,18 @@ double LegScanner::GetSceneSize() const
     this->MotionCaster ? this->MotionCaster : this->Settings.RayCaster;
   const auto scene = static_cast<double>(this->Scenes.GetPlain()->GetActualMemorySize());
   return BytesPerKibibyte * scene + (caster ? static_cast<double>(caster->GetMemorySize()) : 0.0);
+}
+
+//------------------------------------------------------------------------------
+std::vector<PartSpeeds> LegScanner::GetSpeeds(const std::vector<LegPlan>& plans) const
+{
+  std::vector<LegClock> legs;
+  for (const LegPlan& plan : plans)
+  {
+    const double rate = this->Survey.Legs[plan.Leg].Scans.front().PulseFrequency;
+    legs.push_back({ { plan.FirstShot, plan.StartTime, rate }, plan.StartTime + plan.Duration });
+  }
+  return this->Motion.GetSpeeds(legs);
 }
 
 //------------------------------------------------------------------------------

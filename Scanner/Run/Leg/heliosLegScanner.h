@@ -97,7 +97,11 @@ public:
   /// Returns the size of scene and ray caster [bytes].
   double GetSceneSize() const;
 
+  /// Returns the parts that move, with their speeds in legs.
+  std::vector<PartSpeeds> GetSpeeds(const std::vector<LegPlan>& plans) const;
+
 private:
+  vtkPolyData* FindScene();
   vtkSmartPointer<vtkHeliosScanner> MakeChannel(
     const ScannerData& data, const PlatformData& platform);
   void MakeChannels(const LegPlan& plan);

@@ -84,7 +84,7 @@ std::vector<std::string> GetEchoDetectorNames()
 std::vector<std::string> GetModelPartNames()
 {
   return { "divergence", "waveform", "specular", "spectra", "atmosphere", "voxels", "motion",
-    "attitude", "scattering" };
+    "attitude", "scattering", "partMotion" };
 }
 
 std::vector<std::string> GetAccuracyNames()

@@ -260,7 +260,8 @@ public:
    * of its returns; "specular", surfaces are Lambertian; "spectra", materials with a spectrum have
    * the reflectance 0.5; "atmosphere", no extinction and no weather; "voxels", turbid voxels are air; "motion", the
    * platform stands still during a scan line (1 / scan frequency); "attitude", it has the orientation
-   * of the last sample of its trajectory. Default: empty, none.
+   * of the last sample of its trajectory; "scattering", light is scattered once; "partMotion", parts of
+   * the scene stand where they are at time 0 of the survey. Default: empty, none.
    */
   vtkSetMacro(Without, const std::string&);
   vtkGetMacro(Without, std::string);

@@ -76,6 +76,22 @@ Json::Value DescribeCarriers(const SceneData& scene)
   return carriers;
 }
 
+/// Returns the parts that moved: how, and how fast [m/s]; null: there are none.
+Json::Value DescribeMoving(const LegRunner& runner)
+{
+  Json::Value parts;
+  for (const PartSpeeds& part : runner.GetSpeeds())
+  {
+    Json::Value described;
+    described["part"] = part.Name;
+    described["motion"] = part.Motion;
+    described["speed_m_s"].append(part.Minimum);
+    described["speed_m_s"].append(part.Maximum);
+    parts.append(described);
+  }
+  return parts;
+}
+
 } // namespace
 
 //------------------------------------------------------------------------------
@@ -108,6 +124,11 @@ Json::Value MakeSummary(const Json::Value& fingerprint, const RunJournal& journa
   if (!carriers.isNull())
   {
     summary["carriers"] = carriers;
+  }
+  const Json::Value moving = DescribeMoving(runner);
+  if (!moving.isNull())
+  {
+    summary["movingParts"] = moving;
   }
   summary["totals"] = ToJson(runner.GetCounts());
   if (!accuracy.isNull())

@@ -5,6 +5,7 @@
 #include "heliosAssets.h"
 #include "heliosEpochs.h"
 #include "heliosMessages.h"
+#include "heliosPartMotions.h"
 #include "heliosPlannerScan.h"
 #include "heliosXmlCheck.h"
 #include "heliosXmlFilter.h"
@@ -41,6 +42,18 @@ const std::string& Either(const std::string& first, const std::string& second)
   return first.empty() ? second : first;
 }
 
+/// Names parts: "part car", "parts a, b, c and 4 more".
+std::string NameParts(const std::vector<std::string>& names)
+{
+  constexpr std::size_t Most = 3;
+  std::vector<std::string> shown(names.begin(), names.begin() + std::min(Most, names.size()));
+  if (names.size() > Most)
+  {
+    shown.push_back(std::to_string(names.size() - Most) + " more");
+  }
+  return (names.size() == 1 ? "part " : "parts ") + JoinChoices(shown);
+}
+
 /// Reads one file.
 class PlannerReader
 {
@@ -67,6 +80,7 @@ private:
   void CheckPlatform(const PlatformData& platform);
   void CheckHeight(PlannerData& data);
   void WarnOfScene(const SceneData& scene);
+  void SelectParts(PlannerData& data);
   bool HasError() const { return this->Log.GetNumberOfErrors() > this->ErrorsBefore; }
 
   const PlannerRequest& Request;
@@ -256,6 +270,7 @@ void PlannerReader::Conclude(const LegSettings& settings, PlannerData& data)
   data.ScannerReference = MakeReference(scanner.File, scanner.Id);
   this->WarnOfScene(data.Survey.Scene);
   data.Survey = MakeEpoch(data.Survey, 0);
+  this->SelectParts(data);
 }
 
 //------------------------------------------------------------------------------
@@ -276,11 +291,43 @@ void PlannerReader::WarnOfScene(const SceneData& scene)
         " is turbid and hides nothing in a plan; for an opaque part, give intersectionMode fixed "
         "or scaled");
     }
-    if (part.Motion.IsMoving())
-    {
-      this->Log.Warning(
-        part.Where + ": part " + part.Name + " moves; the plan uses its initial position");
-    }
+  }
+}
+
+//------------------------------------------------------------------------------
+/// Leaves out the parts that move, unless they are asked for; warns of either.
+void PlannerReader::SelectParts(PlannerData& data)
+{
+  SceneData& scene = data.Survey.Scene;
+  data.Settings.HasMovingParts = data.Settings.HasMovingParts || this->Request.UseMovingParts;
+  const std::set<std::size_t> moving = FindMoving(scene.Parts);
+  if (moving.empty())
+  {
+    return;
+  }
+  std::vector<std::string> names;
+  std::vector<PartData> others;
+  for (std::size_t i = 0; i < scene.Parts.size(); ++i)
+  {
+    moving.count(i) > 0 ? names.push_back(scene.Parts[i].Name) : others.push_back(scene.Parts[i]);
+  }
+  const std::string who = NameParts(names);
+  if (data.Settings.HasMovingParts)
+  {
+    this->Log.Warning(
+      scene.Where + ": the plan has " + who + ", which move, where they are at the start");
+  }
+  else if (others.empty())
+  {
+    this->Log.Error(scene.Where + ": all parts of the scene move (" + who +
+      "), and a plan leaves them out; ask for moving parts to plan with them where they are at the "
+      "start");
+  }
+  else
+  {
+    this->Log.Warning(scene.Where + ": the plan leaves out " + who +
+      ", which move; ask for moving parts to plan with them where they are at the start");
+    scene.Parts = others;
   }
 }
 

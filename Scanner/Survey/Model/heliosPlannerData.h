@@ -24,6 +24,7 @@ struct PlannerRequest
   std::string DefaultPlatform; ///< for scenes, which name none
   std::string DefaultScanner;
   bool UseScannerLimits = false;
+  bool UseMovingParts = false;
   double Resolution = 0.0;     ///< [deg]
   double PulseFrequency = 0.0; ///< [Hz]
   bool HasScene = false;       ///< the caller has a scene: the file's is not read

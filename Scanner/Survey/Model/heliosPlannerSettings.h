@@ -29,6 +29,7 @@ struct PlannerSettings
   bool SeesBefore = true;                   ///< points before the end of a ray are seen
   /// uses the limits of the scanner, if not given
   bool HasScannerLimits = false;
+  bool HasMovingParts = false;                          ///< where they are at the start
   double RangeMin = 0.0;                                ///< [m]
   double RangeMax = std::numeric_limits<double>::max(); ///< [m]
   double ElevationMin = -90.0;                          ///< [deg]

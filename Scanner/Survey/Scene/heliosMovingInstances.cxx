@@ -4,6 +4,8 @@
 
 #include "heliosMessages.h"
 #include "heliosMovingParts.h"
+#include "heliosPartMotions.h"
+#include "heliosPlacedParts.h"
 #include "heliosSceneGeometry.h"
 #include "heliosTrajectoryFile.h"
 #include "vtkHeliosArrayNames.h"
@@ -284,31 +286,6 @@ vtkSmartPointer<vtkPolyData> MovingInstances::Split::MakeInstances() const
 namespace
 {
 
-/// Returns the numbers of the parts that move, by themselves or carried.
-std::set<std::size_t> FindMoving(const std::vector<PartData>& parts)
-{
-  std::map<std::string, std::size_t> names;
-  for (std::size_t i = 0; i < parts.size(); ++i)
-  {
-    names.emplace(parts[i].Name, i);
-  }
-  std::set<std::size_t> moving;
-  for (std::size_t i = 0; i < parts.size(); ++i)
-  {
-    std::size_t at = i; // mounts have no cycles
-    while (!parts[at].Motion.HasOwn() && parts[at].Motion.Track.File.empty() &&
-      !parts[at].Motion.Mount.empty() && names.count(parts[at].Motion.Mount) > 0)
-    {
-      at = names.at(parts[at].Motion.Mount);
-    }
-    if (parts[at].Motion.HasOwn() || !parts[at].Motion.Track.File.empty())
-    {
-      moving.insert(i);
-    }
-  }
-  return moving;
-}
-
 /// Returns a trajectory whose times are those of the survey.
 vtkSmartPointer<vtkPolyData> ShiftTimes(vtkPolyData* from, double start)
 {
@@ -332,6 +309,7 @@ vtkSmartPointer<vtkPolyData> ShiftTimes(vtkPolyData* from, double start)
 MovingInstances::MovingInstances(
   const SceneData& scene, vtkPolyData* mesh, AngleConvention convention, Messages& log)
   : Log(log)
+  , Whole(mesh)
   , Scene(mesh)
 {
   std::map<int, std::size_t> places; // by the id in the composer: turbid parts are not in the mesh
@@ -345,6 +323,7 @@ MovingInstances::MovingInstances(
     {
       places[id] = motions->Parts.size();
       motions->Parts.emplace_back();
+      motions->Parts.back().Id = id;
       motions->Parts.back().Name = part.Name;
       motions->Parts.back().Data = part.Motion;
     }
@@ -423,6 +402,36 @@ void MovingInstances::FindCarriers(SceneMotions::Content& motions)
       part.Carrier = static_cast<std::size_t>(carrier - parts.begin());
     }
   }
+}
+
+//------------------------------------------------------------------------------
+void MovingInstances::StandStill()
+{
+  if (!this->Motions)
+  {
+    return;
+  }
+  const SceneMotions motions(this->Motions, PulseClock());
+  std::map<int, MotionMap> maps;
+  for (std::size_t i = 0; i < this->Motions->Parts.size(); ++i)
+  {
+    motions.MakePath(i)->Move(SceneMoment(), maps[this->Motions->Parts[i].Id]);
+  }
+  const auto placed = vtkSmartPointer<vtkPolyData>::Take(this->Whole->NewInstance());
+  placed->ShallowCopy(this->Whole);
+  const Status status = PlaceParts(maps, placed);
+  if (!status.IsOk())
+  {
+    this->Log.Error(status.Message());
+  }
+  this->Scene = placed;
+  this->Motions.reset();
+}
+
+//------------------------------------------------------------------------------
+std::vector<PartSpeeds> MovingInstances::GetSpeeds(const std::vector<LegClock>& legs) const
+{
+  return this->Motions ? ComputeSpeeds(this->Motions, legs) : std::vector<PartSpeeds>();
 }
 
 //------------------------------------------------------------------------------

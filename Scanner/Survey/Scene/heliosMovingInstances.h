@@ -5,6 +5,7 @@
 #ifndef heliosMovingInstances_h
 #define heliosMovingInstances_h
 
+#include "heliosPartSpeeds.h"
 #include "heliosPulseClock.h"
 #include "heliosSceneMotions.h"
 #include "heliosSurveyData.h"
@@ -39,6 +40,12 @@ public:
   /// Returns the scene to cast rays at: with instances, or as it was.
   vtkPolyData* GetScene() const { return this->Scene; }
 
+  /// Leaves the parts where they are at time 0 of the survey, at rest: the scene has them there.
+  void StandStill();
+
+  /// Returns the parts that move, with their speeds in legs.
+  std::vector<PartSpeeds> GetSpeeds(const std::vector<LegClock>& legs) const;
+
   /// Checks that the trajectories of the parts have a span of the survey [s]; false after an error.
   bool CheckSpan(double start, double end) const;
 
@@ -53,6 +60,7 @@ private:
   static void FindCarriers(SceneMotions::Content& motions);
 
   Messages& Log;
+  vtkSmartPointer<vtkPolyData> Whole; ///< the scene as it was
   vtkSmartPointer<vtkPolyData> Scene;
   std::shared_ptr<SceneMotions::Content> Motions;
 };

@@ -20,6 +20,7 @@ struct MovingPartData
 {
   static constexpr std::size_t None = static_cast<std::size_t>(-1);
 
+  int Id = 0; ///< its PartIds
   std::string Name;
   MotionData Data;
   std::shared_ptr<const PartMotion> Motion; ///< null: none of its own
@@ -51,10 +52,13 @@ public:
   MomentSpan GetSpan(const SceneMoment& moment, vtkIdType pulses) const override;
   bool AreAtRest(const MomentSpan& span) const override;
 
-private:
+  const Content& GetContent() const { return *this->Shared; }
+
+  /// Returns the path of a part, by its number.
   std::unique_ptr<PartPath> MakePath(std::size_t part) const;
   void AddSteps(const MovingPartData& part);
 
+private:
   std::shared_ptr<const Content> Shared;
   PulseClock Clock;
   bool OnlySteps = true;         ///< no part moves between steps

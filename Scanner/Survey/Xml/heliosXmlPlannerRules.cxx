@@ -38,6 +38,7 @@ std::vector<XmlElementRule> MakePlannerRules()
       Number("hitTolerance_m", "a test point is visible if the ray ends at most this far before it").In("m", { 1e-6, 1e3 }).At<&PlannerSettings::HitTolerance>(),
       Flag("hitBehind", "whether a test point is also visible if the ray ends more than hitTolerance_m behind it; false is the test of Bechtold and Hoefle (2016)").At<&PlannerSettings::SeesBefore>(),
       Flag("scannerLimits", "whether ranges and field of view of the scanner limit visibility").At<&PlannerSettings::HasScannerLimits>(),
+      Flag("movingParts", "whether parts that move are part of the plan, where they are at the start of the survey; else they are left out").At<&PlannerSettings::HasMovingParts>(),
       Number("rangeMin_m", "minimum range of visibility").In("m", NotNegative).Default("0, or the scanner's").At<&PlannerSettings::RangeMin>(),
       Number("rangeMax_m", "maximum range of visibility").In("m", Distance).Default("no limit, or the scanner's").At<&PlannerSettings::RangeMax>(),
       Number("elevationMin_deg", "minimum elevation angle of visibility, from the horizontal").In("deg", Elevation).Default("-90, or the scanner's").At<&PlannerSettings::ElevationMin>(),

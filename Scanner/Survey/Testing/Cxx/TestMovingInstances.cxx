@@ -435,3 +435,48 @@ TEST_CASE("MovingInstances: a wheel turns on a car that drives", "[MovingInstanc
     }
   }
 }
+
+TEST_CASE("MovingInstances: speeds of a part that drives, then waits", "[MovingInstances]")
+{
+  const bool isContinuous = GENERATE(false, true);
+  auto sequences = Repeat({ MakeMotion(MotionKind::Translation, Vec3(0.3, 0.0, 0.4)) });
+  sequences.front().Loop = 100; // steps of 10 ms
+  sequences.front().Next = 1;
+  sequences.push_back(Repeat({ MakeMotion(MotionKind::Identity, Vec3()) }).front());
+  vtkNew<vtkObject> owner;
+  helios::Messages log(owner);
+  helios::SceneData data = MakeData(sequences, isContinuous);
+  data.Parts[1].Name = "car";
+  helios::MovingInstances parts(
+    data, MakeScene(0.0, false), helios::AngleConvention::Arinc705, log);
+  const helios::LegClock drives = { { 0, 0.0, 1000.0 }, 0.9 };
+  const helios::LegClock waits = { { 1500, 1.5, 1000.0 }, 2.0 };
+  const auto speeds = parts.GetSpeeds({ drives, waits });
+  REQUIRE(speeds.size() == 1);
+  CHECK(speeds[0].Name == "car");
+  CHECK(speeds[0].Motion == (isContinuous ? "continuous" : "in steps of 10 pulses"));
+  CHECK(speeds[0].Minimum == 0.0);
+  CHECK(speeds[0].Maximum == Approx(50.0).epsilon(1e-9));
+  CHECK(parts.GetSpeeds({ drives })[0].Minimum == Approx(50.0).epsilon(1e-9));
+  parts.StandStill();
+  CHECK_FALSE(parts.IsMoving());
+  CHECK(parts.GetSpeeds({ drives }).empty());
+}
+
+TEST_CASE("MovingInstances: parts that share points cannot be placed", "[MovingInstances]")
+{
+  const auto scene = MakeScene(0.0, false);
+  vtkNew<vtkCellArray> polys;
+  polys->InsertNextCell({ 0, 1, 2 });
+  polys->InsertNextCell({ 2, 3, 4 });
+  scene->SetPolys(polys);
+  vtkNew<vtkObject> owner;
+  helios::Messages log(owner);
+  helios::MovingInstances parts(
+    MakeData(Repeat({ MakeMotion(MotionKind::Translation, Vec3(1, 0, 0)) }), true), scene,
+    helios::AngleConvention::Arinc705, log);
+  REQUIRE(parts.IsMoving());
+  parts.StandStill();
+  CHECK(log.GetLastError().find("point 2 belongs to a part that moves, part 1, and to another one; "
+                                "compose the parts with vtkHeliosSceneComposer") == 0);
+}

@@ -335,19 +335,81 @@ TEST_CASE("PlannerReader: swaps", "[PlannerReader]")
   CHECK(reading.Reader->GetOutput()->GetBounds()[0] == -50.0);
 }
 
-TEST_CASE("PlannerReader: warns about moving parts and turbid voxels", "[PlannerReader]")
+TEST_CASE("PlannerReader: warns about turbid voxels", "[PlannerReader]")
 {
   const Files files;
   files.Write("hedge.vox", "");
   files.Replace("scene.xml", "</part>",
-    "<dmotion id=\"a\" loop=\"0\"><motion type=\"translation\" vec=\"1;0;0\"/></dmotion></part>"
-    "<part id=\"hedge\"><filter type=\"detailedvoxels\"><param key=\"filepath\" "
+    "</part><part id=\"hedge\"><filter type=\"detailedvoxels\"><param key=\"filepath\" "
     "value=\"hedge.vox\"/></filter></part>");
   const PlannerReading reading(WritePlanner(files, ""));
   INFO(reading.Log->Errors << reading.Log->Warnings);
   REQUIRE(reading.Good);
-  CHECK(reading.Log->HasWarning("part floor moves; the plan uses its initial position"));
   CHECK(reading.Log->HasWarning("part hedge is turbid and hides nothing in a plan; for"));
+}
+
+namespace
+{
+
+/// Adds a car that follows a trajectory from (30, 10, 0), its wheel, and a parked trailer on the floor.
+void AddCar(const Files& files)
+{
+  files.Write("car.obj", "v 0 0 1\nv 2 0 1\nv 0 2 1\nf 1 2 3\n");
+  files.Write("car.csv", "7,0,0,0,30,10,0\n9,0,0,0,40,10,0\n");
+  const std::string mesh = "<filter type=\"objloader\"><param type=\"string\" key=\"filepath\" "
+                           "value=\"car.obj\"/></filter>";
+  files.Replace("scene.xml", "</part>",
+    "</part><part id=\"car\">" + mesh + "<trajectory file=\"car.csv\"/></part>" +
+      "<part id=\"wheel\" mount=\"car\">" + mesh + "</part><part id=\"trailer\" mount=\"floor\">" +
+      mesh + "</part>");
+}
+
+} // namespace
+
+TEST_CASE("PlannerReader: parts that move are left out", "[PlannerReader]")
+{
+  const Files files;
+  AddCar(files);
+  const PlannerReading reading(WritePlanner(files, ""));
+  INFO(reading.Log->Errors << reading.Log->Warnings);
+  REQUIRE(reading.Good);
+  CHECK(
+    reading.Log->HasWarning("scene.xml:1: the plan leaves out parts car and wheel, which move; "
+                            "ask for moving parts to plan with them where they are at the start"));
+  CHECK_FALSE(reading.Reader->GetMovingParts());
+  reading.Reader->Update();
+  CHECK(reading.Reader->GetOutput()->GetNumberOfPolys() == 3); // floor and trailer
+}
+
+TEST_CASE("PlannerReader: parts that move are where they start", "[PlannerReader]")
+{
+  const Files files;
+  AddCar(files);
+  const bool isAsked = GENERATE(false, true);
+  const PlannerReading reading(
+    WritePlanner(files, isAsked ? "movingParts=\"true\"" : ""), "plan.xml");
+  reading.Reader->SetUseMovingParts(!isAsked);
+  REQUIRE(reading.Reader->Read());
+  CHECK(reading.Log->HasWarning(
+    "the plan has parts car and wheel, which move, where they are at the start"));
+  CHECK(reading.Reader->GetMovingParts());
+  reading.Reader->Update();
+  vtkPolyData* scene = reading.Reader->GetOutput();
+  CHECK(scene->GetNumberOfPolys() == 5);
+  double corner[3];
+  scene->GetPoint(4, corner);
+  CHECK((corner[0] == 30.0 && corner[1] == 10.0 && corner[2] == 1.0));
+}
+
+TEST_CASE("PlannerReader: a scene in which all moves is an error", "[PlannerReader]")
+{
+  const Files files;
+  files.Replace("scene.xml", "</part>",
+    "<dmotion id=\"a\" loop=\"0\"><motion type=\"translation\" vec=\"1;0;0\"/></dmotion></part>");
+  const PlannerReading reading(WritePlanner(files, ""));
+  CHECK_FALSE(reading.Good);
+  CHECK(reading.Log->HasError("scene.xml:1: all parts of the scene move (part floor), and a plan "
+                              "leaves them out; ask for moving parts to plan with them"));
 }
 
 TEST_CASE("PlannerReader: values beyond a limit of the scanner are clipped", "[PlannerReader]")
