@@ -164,7 +164,10 @@ def test_a_plan_leaves_them_out(survey, tmp_path, capsys):
     assert cli.main([*arguments, "--json"]) == 0
     done = capsys.readouterr()
     assert json.loads(done.out)["settings"]["movingParts"] is False
-    assert "the plan leaves out parts car and wheel, which move; ask for moving parts" in done.err
+    assert (
+        "the plan leaves out parts car and wheel, which move; set UseMovingParts (--moving-parts)"
+        in done.err
+    )
     plan = vtkhelios.plan(survey, grid=20)
     assert plan.scene.GetBounds()[5] == pytest.approx(2.0)  # top of the wheel that rests
     kept = vtkhelios.plan(survey, grid=20, moving_parts=True)

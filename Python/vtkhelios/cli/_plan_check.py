@@ -24,8 +24,8 @@ SAME_PULSE = 1e-7  # rad, between the directions of the returns of a pulse
 STEEPEST = 0.02  # cosine of incidence; lower limit for the echo spacing at grazing incidence
 
 
-def simulate(survey, arguments, folder, messages):
-    """Runs a survey without noise; returns an exit code and the output folder."""
+def simulate(survey, arguments, folder, messages, stands_still=False):
+    """Runs a survey without noise; returns an exit code and the output folder. With stands_still parts do not move."""
     reader = make_reader(str(survey), arguments.assets)
     messages.watch(reader)
     if not reader.Read():
@@ -37,6 +37,7 @@ def simulate(survey, arguments, folder, messages):
     player.SetOutputDirectory(str(folder))
     player.SetFormat("vtp")
     player.GetOptions().SetNoise(False)
+    player.GetOptions().SetWithout("partMotion" if stands_still else "")
     player.SetOverwrite(True)
     set_outcome(" during the simulation of the survey; the plan itself is written")
     with StopRequest(player) as request, make_progress(player, messages, quiet=arguments.quiet):

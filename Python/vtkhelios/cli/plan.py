@@ -223,7 +223,9 @@ def draw(arguments, plan, folder, messages):
 def check(arguments, plan, survey, folder, report, messages):
     """Simulates the survey and compares; returns an exit code."""
     settings = report["settings"]
-    code, simulated = simulate(survey, arguments, folder / "check", messages)
+    code, simulated = simulate(
+        survey, arguments, folder / "check", messages, settings["movingParts"]
+    )
     if code:
         return code
     clouds = read_clouds(simulated, len(plan))

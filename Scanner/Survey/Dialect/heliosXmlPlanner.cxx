@@ -320,13 +320,14 @@ void PlannerReader::SelectParts(PlannerData& data)
   else if (others.empty())
   {
     this->Log.Error(scene.Where + ": all parts of the scene move (" + who +
-      "), and a plan leaves them out; ask for moving parts to plan with them where they are at the "
-      "start");
+      "), and a plan leaves them out; set UseMovingParts (--moving-parts) to plan with them where "
+      "they are at the start");
   }
   else
   {
     this->Log.Warning(scene.Where + ": the plan leaves out " + who +
-      ", which move; ask for moving parts to plan with them where they are at the start");
+      ", which move; set UseMovingParts (--moving-parts) to plan with them where they are at the "
+      "start");
     scene.Parts = others;
   }
 }

@@ -373,9 +373,9 @@ TEST_CASE("PlannerReader: parts that move are left out", "[PlannerReader]")
   const PlannerReading reading(WritePlanner(files, ""));
   INFO(reading.Log->Errors << reading.Log->Warnings);
   REQUIRE(reading.Good);
-  CHECK(
-    reading.Log->HasWarning("scene.xml:1: the plan leaves out parts car and wheel, which move; "
-                            "ask for moving parts to plan with them where they are at the start"));
+  CHECK(reading.Log->HasWarning(
+    "scene.xml:1: the plan leaves out parts car and wheel, which move; "
+    "set UseMovingParts (--moving-parts) to plan with them where they are at the start"));
   CHECK_FALSE(reading.Reader->GetMovingParts());
   reading.Reader->Update();
   CHECK(reading.Reader->GetOutput()->GetNumberOfPolys() == 3); // floor and trailer
@@ -408,8 +408,9 @@ TEST_CASE("PlannerReader: a scene in which all moves is an error", "[PlannerRead
     "<dmotion id=\"a\" loop=\"0\"><motion type=\"translation\" vec=\"1;0;0\"/></dmotion></part>");
   const PlannerReading reading(WritePlanner(files, ""));
   CHECK_FALSE(reading.Good);
-  CHECK(reading.Log->HasError("scene.xml:1: all parts of the scene move (part floor), and a plan "
-                              "leaves them out; ask for moving parts to plan with them"));
+  CHECK(reading.Log->HasError(
+    "scene.xml:1: all parts of the scene move (part floor), and a plan "
+    "leaves them out; set UseMovingParts (--moving-parts) to plan with them"));
 }
 
 TEST_CASE("PlannerReader: values beyond a limit of the scanner are clipped", "[PlannerReader]")
