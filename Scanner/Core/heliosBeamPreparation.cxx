@@ -215,6 +215,10 @@ public:
   {
     return this->Motions->MakeTrack(motion);
   }
+  const MeshFrames* GetFrames(int motion) const override
+  {
+    return this->Motions->GetFrames(motion);
+  }
   MomentSpan GetSpan(const SceneMoment& moment, vtkIdType pulses) const override
   {
     return this->Motions->GetSpan(moment, std::max(pulses, this->Pulses));

@@ -427,10 +427,9 @@ std::string vtkHeliosSurvey::GetPartMotion(int part) const
 {
   const auto& parts = this->GetData().Scene.Parts;
   const auto number = static_cast<std::size_t>(part);
-  const bool mayMove =
-    part >= 0 && part < this->GetNumberOfParts() && parts[number].Motion.IsMoving();
+  const bool mayMove = part >= 0 && part < this->GetNumberOfParts() && parts[number].IsMoving();
   return mayMove && helios::FindMoving(parts).count(number) > 0
-    ? helios::DescribeMotion(parts[number].Motion)
+    ? helios::DescribeMotion(parts[number].Motion, parts[number].Frames.IsGiven())
     : std::string();
 }
 

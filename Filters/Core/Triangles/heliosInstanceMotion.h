@@ -5,6 +5,7 @@
 #ifndef heliosInstanceMotion_h
 #define heliosInstanceMotion_h
 
+#include "heliosMeshFrames.h"
 #include "heliosPose.h"
 #include "heliosSimilarity.h"
 
@@ -53,7 +54,10 @@ public:
   /// prototype.
   virtual void ComputeBounds(const MomentSpan& span, const double own[6], double bounds[6]) = 0;
 
-  /// Returns the velocity of its point that is at a place of the scene [m/s].
+  /// Finds the shape at a moment, if it has frames.
+  virtual void FindShape(const SceneMoment& /*moment*/, MeshShape& /*shape*/) {}
+
+  /// Returns the velocity of its point that is at a place of the scene [m/s], as of a rigid body.
   virtual Vec3 GetVelocity(const SceneMoment& moment, const Vec3& point) = 0;
 
   /// Computes the displacement of the centroid from its place at rest, and the rotation since.
@@ -71,6 +75,9 @@ public:
 
   virtual int GetNumberOfTracks() const = 0;
   virtual std::unique_ptr<InstanceTrack> MakeTrack(int motion) const = 0;
+
+  /// Returns the frames of a mesh that deforms in the frame of its prototype; null: it is rigid.
+  virtual const MeshFrames* GetFrames(int /*motion*/) const { return nullptr; }
 
   /// Returns a span of a number of pulses with a moment.
   virtual MomentSpan GetSpan(const SceneMoment& moment, vtkIdType pulses) const = 0;

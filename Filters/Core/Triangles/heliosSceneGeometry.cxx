@@ -191,6 +191,7 @@ Status SceneGeometry::AddInstances(vtkPolyData* instances)
     SceneInstance& instance = this->Shared->Instances[static_cast<std::size_t>(i)];
     instance.Place = Similarity(q, scale, t);
     instance.PrototypeId = static_cast<int>(prototype);
+    instance.Tree = instance.PrototypeId;
     instance.Part = static_cast<int>(parts.Get(i, 0, 0.0));
     instance.Material = static_cast<int>(materials.Get(i, 0, -1.0));
     instance.Motion = static_cast<int>(motions.Get(i, 0, -1.0));

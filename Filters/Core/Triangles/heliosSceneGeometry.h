@@ -18,6 +18,7 @@
 #include <vtkType.h>
 
 #include <memory>
+#include <utility>
 #include <vector>
 
 class vtkHeliosScene;
@@ -30,19 +31,32 @@ struct SceneInstance
 {
   Similarity Place;
   int PrototypeId = 0;
+  int Tree = 0; ///< number of its tree: the prototype's, or one of its own, of a mesh that deforms
   int Part = 0;
-  int Material = -1;         ///< material of all triangles; -1: materials of the prototype
-  int Motion = -1;           ///< number of its motion; -1: at rest
-  vtkIdType FirstCell = 0;   ///< the cell id of its first triangle
-  vtkIdType CellsBefore = 0; ///< triangles of the mesh with lower cell ids
+  int Material = -1;                ///< material of all triangles; -1: materials of the prototype
+  int Motion = -1;                  ///< number of its motion; -1: at rest
+  vtkIdType FirstCell = 0;          ///< the cell id of its first triangle
+  vtkIdType CellsBefore = 0;        ///< triangles of the mesh with lower cell ids
+  const MeshShape* Shape = nullptr; ///< shape of a mesh that deforms; null: the prototype's
 
   /// Computes the corners of a triangle of the prototype in the scene.
   void GetCorners(const Prototype& prototype, vtkIdType triangle, double corners[3][3]) const
   {
-    prototype.GetCorners(triangle, corners);
+    this->Shape ? this->GetShapeCorners(prototype, triangle, corners)
+                : prototype.GetCorners(triangle, corners);
     for (int corner = 0; corner < 3; ++corner)
     {
       this->Place.Apply(corners[corner], corners[corner]);
+    }
+  }
+
+  /// Computes the corners of a triangle of a mesh that deforms, in the frame of the prototype.
+  void GetShapeCorners(const Prototype& prototype, vtkIdType triangle, double corners[3][3]) const
+  {
+    for (int corner = 0; corner < 3; ++corner)
+    {
+      this->Shape->GetPoint(
+        prototype.GetMesh().GetCorners()[3 * triangle + corner], corners[corner]);
     }
   }
 };
@@ -71,8 +85,24 @@ public:
       this->Fill(slot, atRest);
       slot.Move = this->Move;
       slot.Track->Move(this->Moment, slot.Instance.Place);
+      slot.Follower ? this->Follow(slot) : void();
     }
     return slot.Instance;
+  }
+
+  /// Sets what is fitted to the shape of an instance with frames, before it is used; and its tree.
+  void SetFollower(const SceneInstance& instance, std::unique_ptr<ShapeFollower> follower, int tree)
+  {
+    Slot& slot = this->Slots[static_cast<std::size_t>(instance.Motion)];
+    slot.Follower = std::move(follower);
+    slot.Instance.Tree = tree;
+    slot.Instance.Shape = &slot.Shape;
+  }
+
+  /// Returns the shape of a moving instance, which is set once that is used.
+  const MeshShape& GetShape(const SceneInstance& instance) const
+  {
+    return this->Slots[static_cast<std::size_t>(instance.Motion)].Shape;
   }
 
   /// Returns the track of a moving instance.
@@ -89,6 +119,8 @@ private:
     SceneInstance Instance;
     std::unique_ptr<InstanceTrack> Track; ///< null: not used yet
     vtkTypeUInt64 Move = 0;               ///< move for which its place was set
+    MeshShape Shape;
+    std::unique_ptr<ShapeFollower> Follower; ///< null: it is rigid
   };
   void Fill(Slot& slot, const SceneInstance& instance) const
   {
@@ -97,6 +129,12 @@ private:
       slot.Instance = instance;
       slot.Track = this->Motions->MakeTrack(instance.Motion);
     }
+  }
+
+  void Follow(Slot& slot) const
+  {
+    slot.Track->FindShape(this->Moment, slot.Shape);
+    slot.Follower->Follow();
   }
 
   std::shared_ptr<const InstanceMotions> Motions;

@@ -151,6 +151,22 @@ Vec3 GetTriangleNormal(const double p[3], const double q[3], const double r[3])
   return normal;
 }
 
+Vec3 GetTriangleWeights(const double corners[3][3], const Vec3& point)
+{
+  const Vec3 a(corners[0]);
+  const Vec3 u = Vec3(corners[1]) - a;
+  const Vec3 v = Vec3(corners[2]) - a;
+  const Vec3 p = point - a;
+  const double uu = u.Dot(u);
+  const double uv = u.Dot(v);
+  const double vv = v.Dot(v);
+  const double area = uu * vv - uv * uv;
+  const double s = area > 0.0 ? (vv * p.Dot(u) - uv * p.Dot(v)) / area : 0.0;
+  const double t = area > 0.0 ? (uu * p.Dot(v) - uv * p.Dot(u)) / area : 0.0;
+  const Vec3 weights(std::max(0.0, 1.0 - s - t), std::max(0.0, s), std::max(0.0, t));
+  return (1.0 / (weights[0] + weights[1] + weights[2])) * weights;
+}
+
 Vec3 TriangleMesh::GetNormal(vtkIdType triangle) const
 {
   return GetTriangleNormal(

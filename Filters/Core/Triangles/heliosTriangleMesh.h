@@ -27,6 +27,10 @@ VTKHELIOSFILTERSCORE_EXPORT Status CheckNoInstances(vtkPolyData* scene);
 VTKHELIOSFILTERSCORE_EXPORT Vec3 GetTriangleNormal(
   const double p[3], const double q[3], const double r[3]);
 
+/// Returns the weights of the corners at the place of a triangle that is nearest to a point: none
+/// negative.
+VTKHELIOSFILTERSCORE_EXPORT Vec3 GetTriangleWeights(const double corners[3][3], const Vec3& point);
+
 /**
  * Cell i of the scene is triangle i. Points are double and corner indices 32-bit: a scene with this
  * storage (vtkDoubleArray points, 32-bit vtkCellArray) is not copied.

@@ -131,7 +131,11 @@ void SceneMesh::DropFlatTriangles(const std::string& path, TextReport& report)
   float* textures =
     this->TextureCoordinates.GetSize() > 0 ? this->TextureCoordinates.GetValues() : nullptr;
   int* parts = this->PartIds.GetSize() > 0 ? this->PartIds.GetValues() : nullptr;
-  this->IsUsed.assign(static_cast<std::size_t>(this->Points.GetSize() / 3), 0);
+  this->IsUsed.assign(static_cast<std::size_t>(this->Points.GetSize() / 3), this->KeepsAll);
+  if (this->KeepsAll)
+  {
+    return;
+  }
 
   vtkIdType kept = 0;
   for (vtkIdType i = 0; i < count; ++i)

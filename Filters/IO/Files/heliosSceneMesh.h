@@ -48,6 +48,29 @@ public:
   MaterialTable Materials;
   std::vector<std::string> Notes; ///< sentences on triangles that were cut
 
+  /// The faces of a file, as they are in it, if KeepsAll is set: frames of a mesh have equal ones.
+  struct FaceList
+  {
+    vtkIdType Count = 0;
+    std::uint64_t Hash = 14695981039346656037u; ///< FNV-1a of their vertices
+
+    template <typename RangeT>
+    void Add(const RangeT& vertices)
+    {
+      ++this->Count;
+      for (const auto vertex : vertices)
+      {
+        this->AddNumber(static_cast<std::uint64_t>(vertex));
+      }
+      this->AddNumber(~std::uint64_t(0));
+    }
+
+  private:
+    void AddNumber(std::uint64_t number) { this->Hash = (this->Hash ^ number) * 1099511628211u; }
+  };
+  FaceList Faces;
+  bool KeepsAll = false; ///< whether no triangle and no vertex is dropped
+
   /// Triangles from here on are of a part with a name: of each, PartIds; call it before the first.
   void StartPart(const std::string& name) { this->PartNames.push_back(name); }
 

@@ -46,6 +46,8 @@ void vtkHeliosSceneReader::Finish(helios::SceneMesh& mesh, vtkPolyData* scene,
     mesh.TurnUp();
   }
   this->NumberOfDroppedTriangles = mesh.GetNumberOfDroppedTriangles();
+  this->NumberOfFaces = mesh.Faces.Count;
+  this->FaceHash = mesh.Faces.Hash;
   mesh.MoveTo(scene);
 }
 
@@ -93,5 +95,8 @@ void vtkHeliosSceneReader::PrintSelf(ostream& os, vtkIndent indent)
   this->Superclass::PrintSelf(os, indent);
   os << indent << "FileName: " << (this->FileName ? this->FileName : "(none)") << "\n";
   os << indent << "UpAxis: " << (this->UpAxis == UP_AXIS_Y ? "y" : "z") << "\n";
+  os << indent << "KeepAll: " << this->KeepAll << "\n";
+  os << indent << "NumberOfFaces: " << this->NumberOfFaces << "\n";
+  os << indent << "FaceHash: " << this->FaceHash << "\n";
   os << indent << "NumberOfDroppedTriangles: " << this->NumberOfDroppedTriangles << "\n";
 }

@@ -68,6 +68,24 @@ public:
   void SetUpAxisToZ() { this->SetUpAxis(UP_AXIS_Z); }
   ///@}
 
+  ///@{
+  /**
+   * Set/Get whether all triangles and vertices of the file are kept, without area, or not used: frames of
+   * a mesh that deforms have the same ones. Images cut nothing then. Default: false.
+   */
+  vtkSetMacro(KeepAll, bool);
+  vtkGetMacro(KeepAll, bool);
+  vtkBooleanMacro(KeepAll, bool);
+  ///@}
+
+  ///@{
+  /**
+   * Get the number of faces of the file of the last read with KeepAll, and a hash of their vertices.
+   */
+  vtkGetMacro(NumberOfFaces, vtkIdType);
+  vtkGetMacro(FaceHash, vtkTypeUInt64);
+  ///@}
+
   /**
    * Get the number of degenerate triangles dropped by the last read.
    */
@@ -110,7 +128,10 @@ private:
 
   char* FileName = nullptr;
   int UpAxis = UP_AXIS_Z;
+  bool KeepAll = false;
   vtkIdType NumberOfDroppedTriangles = 0;
+  vtkIdType NumberOfFaces = 0;
+  vtkTypeUInt64 FaceHash = 0;
 };
 
 #endif

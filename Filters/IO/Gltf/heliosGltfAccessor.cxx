@@ -57,7 +57,7 @@ constexpr NumberKind Kinds[] = { { 5120, 1, 127.0, ReadNumber<std::int8_t> },
 
 int GetComponents(const std::string& type)
 {
-  return type == "SCALAR" ? 1 : type.back() - '0';
+  return type == "SCALAR" ? 1 : type == "MAT4" ? 16 : type.back() - '0';
 }
 
 class AccessorReader

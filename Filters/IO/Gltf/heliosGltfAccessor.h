@@ -21,7 +21,7 @@ namespace helios
 
 class GltfDocument;
 
-/// Elements of one to four numbers; integers that are normalized are fractions.
+/// Elements of one to four numbers, or of sixteen; integers that are normalized are fractions.
 struct GltfNumbers
 {
   std::vector<double> Values;
@@ -33,7 +33,7 @@ struct GltfNumbers
   }
 };
 
-/// Reads an accessor, sparse ones, too. The type is one of SCALAR, VEC3 and VEC4; value is its index,
+/// Reads an accessor, sparse ones, too. The type is one of SCALAR, VEC2, VEC3, VEC4 and MAT4; value is its index,
 /// at a JSON path.
 Status ReadAccessor(GltfDocument& document, const Json::Value& value, const std::string& where,
   const std::string& type, GltfNumbers& numbers);

@@ -34,10 +34,11 @@ enum Mode : std::int64_t
 class PrimitiveReader
 {
 public:
-  PrimitiveReader(GltfDocument& document, const std::vector<double>& weights,
+  PrimitiveReader(GltfDocument& document, const std::vector<double>& weights, bool hasSkin,
     const std::vector<int>& textureSets, GltfMesh& mesh)
     : Document(document)
     , Weights(weights)
+    , HasSkin(hasSkin)
     , TextureSets(textureSets)
     , Mesh(mesh)
   {
@@ -56,6 +57,11 @@ public:
     }
     status = status.IsOk() ? this->ReadMaterial(primitive, path) : status;
     status = status.IsOk() ? this->ReadPoints(primitive, path) : status;
+    if (status.IsOk() && this->HasSkin)
+    {
+      status =
+        ReadGltfWeights(this->Document, primitive, path, this->NumberOfPoints, this->Mesh.Weights);
+    }
     status = status.IsOk() ? this->ReadTextures(primitive, path) : status;
     status = status.IsOk() ? this->ReadIndices(primitive, path) : status;
     return status.IsOk() ? this->AddTriangles(mode, path) : status;
@@ -241,6 +247,7 @@ private:
 
   GltfDocument& Document;
   const std::vector<double>& Weights;
+  const bool HasSkin;
   const std::vector<int>& TextureSets; // by material
   GltfMesh& Mesh;
   int Material = -1; // material of the current primitive
@@ -254,7 +261,7 @@ private:
 
 //------------------------------------------------------------------------------
 Status ReadGltfMesh(GltfDocument& document, std::int64_t index, const std::vector<double>& weights,
-  const std::vector<int>& textureSets, GltfMesh& mesh)
+  bool hasSkin, const std::vector<int>& textureSets, GltfMesh& mesh)
 {
   const Json::Value& primitives = GetMember(document.GetElement("meshes", index), "primitives");
   const std::string path = ElementPath("meshes", index) + ".primitives";
@@ -263,7 +270,7 @@ Status ReadGltfMesh(GltfDocument& document, std::int64_t index, const std::vecto
     return document.Fail(
       path, "is " + Describe(primitives) + ", not a list of primitives; write the file again");
   }
-  PrimitiveReader reader(document, weights, textureSets, mesh);
+  PrimitiveReader reader(document, weights, hasSkin, textureSets, mesh);
   for (Json::ArrayIndex i = 0; i < primitives.size(); ++i)
   {
     const std::string where = ElementPath(path.c_str(), i);

@@ -5,6 +5,7 @@
 #ifndef heliosGltfMesh_h
 #define heliosGltfMesh_h
 
+#include "heliosGltfSkin.h"
 #include "heliosStatus.h"
 
 #include <vtkType.h>
@@ -32,13 +33,15 @@ struct GltfMesh
   std::vector<int> Materials;
   // u v of the corners of each triangle, v downward; NaN: none. Empty: not read.
   std::vector<float> Textures;
+  GltfWeights Weights; // joints of the vertices, if a skin moves them
 };
 
 /// Reads the primitives of a mesh that are triangles, strips or fans; points and lines are skipped.
 /// Texture coordinates of a
-/// set are read for materials that have one; by index, -1: none. Vertices are moved by the morph targets that have a weight; without weights, by none.
+/// set are read for materials that have one; by index, -1: none. Vertices are moved by the morph targets that have a weight; without weights, by none. With a skin the joints of
+/// vertices are read, too.
 Status ReadGltfMesh(GltfDocument& document, std::int64_t index, const std::vector<double>& weights,
-  const std::vector<int>& textureSets, GltfMesh& mesh);
+  bool hasSkin, const std::vector<int>& textureSets, GltfMesh& mesh);
 
 } // namespace helios
 

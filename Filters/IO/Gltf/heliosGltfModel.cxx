@@ -29,17 +29,24 @@ double GetLuminance(const double* color)
 } // namespace
 
 //------------------------------------------------------------------------------
-bool GltfModel::Read(const std::string& path)
+bool GltfModel::Read()
 {
-  const Status status = this->ReadFile(path);
+  const Status status = this->ReadDocument();
   return status.IsOk() || this->Report.Fail(status.Message());
 }
 
 //------------------------------------------------------------------------------
-Status GltfModel::ReadFile(const std::string& path)
+Status GltfModel::ReadDocument()
 {
-  Status status = this->Document.Read(path);
-  status = status.IsOk() ? GltfNodes(this->Document).Find(this->Placements) : status;
+  GltfNodes nodes(this->Document, this->Animation);
+  Status status = nodes.Find(this->Placements);
+  for (const GltfPlacement& placement : this->Placements)
+  {
+    if (status.IsOk() && placement.Skin >= 0 && this->Joints.count(placement.Skin) == 0)
+    {
+      status = FindGltfJoints(this->Document, placement.Skin, nodes, this->Joints[placement.Skin]);
+    }
+  }
   status = status.IsOk() ? this->ReadMaterials() : status;
   status = status.IsOk() ? this->ReadMeshes() : status;
   status = status.IsOk() ? this->CheckSize() : status;
@@ -95,7 +102,7 @@ Status GltfModel::ReadMeshes()
   {
     const auto [mesh, isNew] = this->Meshes.emplace(GetKey(placement), GltfMesh());
     const Status status = isNew ? ReadGltfMesh(this->Document, placement.Mesh, placement.Weights,
-                                    this->TextureSets, mesh->second)
+                                    placement.Skin >= 0, this->TextureSets, mesh->second)
                                 : Status();
     if (!status.IsOk())
     {
@@ -154,17 +161,12 @@ Status GltfModel::AddMesh(const GltfPlacement& placement)
 {
   const GltfMesh& mesh = this->Meshes.at(GetKey(placement));
   const auto first = static_cast<vtkTypeInt32>(this->Mesh.GetNumberOfPoints());
-  for (std::size_t i = 0; i < mesh.Points.size(); i += 3)
+  const Status status = this->AddPoints(placement, mesh);
+  if (!status.IsOk())
   {
-    const std::array<double, 3> p = placement.Place.Apply(mesh.Points.data() + i);
-    if (!std::all_of(p.begin(), p.end(), [](double x) { return std::isfinite(x); }))
-    {
-      return this->Document.Fail(ElementPath("nodes", placement.Node),
-        "moves a vertex of its mesh to infinity; correct its matrix, or its parents'");
-    }
-    this->Mesh.AddPoint(p[0], p[1], p[2]);
+    return status;
   }
-  const bool isMirrored = placement.Place.IsMirrored();
+  const bool isMirrored = !this->Animation && placement.Place.IsMirrored(); // frames are alike
   for (std::size_t i = 0; i < mesh.Materials.size(); ++i)
   {
     const vtkTypeInt32* corners = mesh.Corners.data() + 3 * i;
@@ -172,6 +174,37 @@ Status GltfModel::AddMesh(const GltfPlacement& placement)
       first + corners[isMirrored ? 1 : 2], this->FindRow(mesh.Materials[i]));
   }
   this->AddTextures(mesh, isMirrored);
+  return {};
+}
+
+//------------------------------------------------------------------------------
+/// Adds the vertices of a placed mesh; those of a skin are where its joints move them.
+Status GltfModel::AddPoints(const GltfPlacement& placement, const GltfMesh& mesh)
+{
+  const std::vector<GltfTransform>* joints =
+    placement.Skin >= 0 ? &this->Joints.at(placement.Skin) : nullptr;
+  for (const auto& each : mesh.Weights.Influences)
+  {
+    if (joints && !(each.Joint < static_cast<std::int64_t>(joints->size())))
+    {
+      return this->Document.Fail(ElementPath("meshes", placement.Mesh),
+        "refers to joint " + std::to_string(each.Joint) + ", but " +
+          ElementPath("skins", placement.Skin) + " has " + std::to_string(joints->size()) +
+          "; write the file again");
+    }
+  }
+  for (std::size_t i = 0; i < mesh.Points.size(); i += 3)
+  {
+    const std::array<double, 3> p = joints
+      ? mesh.Weights.Apply(i / 3, mesh.Points.data() + i, *joints)
+      : placement.Place.Apply(mesh.Points.data() + i);
+    if (!std::all_of(p.begin(), p.end(), [](double x) { return std::isfinite(x); }))
+    {
+      return this->Document.Fail(ElementPath("nodes", placement.Node),
+        "moves a vertex of its mesh to infinity; correct its matrix, or its parents'");
+    }
+    this->Mesh.AddPoint(p[0], p[1], p[2]);
+  }
   return {};
 }
 
@@ -223,7 +256,7 @@ int GltfModel::FindRow(int material)
 //------------------------------------------------------------------------------
 void GltfModel::WarnOfMotion()
 {
-  if (this->Document.GetCount("skins") > 0)
+  if (!this->Animation && this->Document.GetCount("skins") > 0)
   {
     this->Report.Warn(this->Document.GetPath() +
       ": skins[0]: skins are not applied, so meshes are where their nodes are; apply them before "

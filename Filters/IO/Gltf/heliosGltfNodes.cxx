@@ -3,6 +3,7 @@
 #include "heliosGltfNodes.h"
 
 #include "heliosGltfAccessor.h"
+#include "heliosGltfAnimation.h"
 
 #include <json/json.h>
 
@@ -117,7 +118,7 @@ Status GltfNodes::AddNode(const Visit& visit, std::vector<Visit>& visits)
   GltfTransform local;
   bool isVisible = true;
   Status status = this->ReadVisibility(node, where, isVisible);
-  status = status.IsOk() ? this->ReadPlace(node, where, local) : status;
+  status = status.IsOk() ? this->ReadPlace(node, index, local) : status;
   if (!status.IsOk() || !isVisible)
   {
     return status;
@@ -127,6 +128,10 @@ Status GltfNodes::AddNode(const Visit& visit, std::vector<Visit>& visits)
   {
     return this->Document.Fail(where, "is moved to infinity; correct its matrix, or its parents'");
   }
+  if (this->Animation)
+  {
+    this->Places[index] = placement.Place;
+  }
   const Json::Value& mesh = GetMember(node, "mesh");
   const Json::Value& instances =
     GetMember(GetMember(GetMember(node, "extensions"), Instancing), "attributes");
@@ -134,6 +139,11 @@ Status GltfNodes::AddNode(const Visit& visit, std::vector<Visit>& visits)
   {
     status = this->Document.FindIndex("meshes", mesh, where + ".mesh", placement.Mesh);
     status = status.IsOk() ? this->ReadWeights(node, placement) : status;
+    const Json::Value& skin = GetMember(node, "skin");
+    if (status.IsOk() && this->Animation && !skin.isNull())
+    {
+      status = this->Document.FindIndex("skins", skin, where + ".skin", placement.Skin);
+    }
     if (status.IsOk() && instances.isObject())
     {
       status = this->AddInstances(
@@ -166,6 +176,12 @@ Status GltfNodes::ReadVisibility(
 /// Reads the weights of morph targets of the node, else of its mesh.
 Status GltfNodes::ReadWeights(const Json::Value& node, GltfPlacement& placement) const
 {
+  const GltfNodePose* pose = this->Animation ? this->Animation->Find(placement.Node) : nullptr;
+  if (pose && !pose->Weights.empty())
+  {
+    placement.Weights = pose->Weights;
+    return {};
+  }
   const Json::Value& own = GetMember(node, "weights");
   const Json::Value& given =
     own.isNull() ? GetMember(this->Document.GetElement("meshes", placement.Mesh), "weights") : own;
@@ -190,9 +206,9 @@ Status GltfNodes::ReadWeights(const Json::Value& node, GltfPlacement& placement)
 
 //------------------------------------------------------------------------------
 /// Reads a matrix, or translation, rotation and scale.
-Status GltfNodes::ReadPlace(
-  const Json::Value& node, const std::string& where, GltfTransform& place) const
+Status GltfNodes::ReadPlace(const Json::Value& node, std::int64_t index, GltfTransform& place) const
 {
+  const std::string where = ElementPath("nodes", index);
   double matrix[16];
   double t[3] = { 0, 0, 0 };
   double q[4] = { 0, 0, 0, 1 };
@@ -212,6 +228,12 @@ Status GltfNodes::ReadPlace(
       return this->Document.Fail(where + '.' + member.Name,
         "is " + Describe(value) + ", not " + std::to_string(member.Count) + " numbers; correct it");
     }
+  }
+  if (const GltfNodePose* pose = this->Animation ? this->Animation->Find(index) : nullptr)
+  {
+    std::copy(pose->Translation.begin(), pose->Translation.end(), t);
+    std::copy(pose->Rotation.begin(), pose->Rotation.end(), q);
+    std::copy(pose->Scale.begin(), pose->Scale.end(), s);
   }
   if (!IsRotation(q))
   {

@@ -10,6 +10,7 @@
 #include "heliosStatus.h"
 
 #include <cstdint>
+#include <map>
 #include <string>
 #include <utility>
 #include <vector>
@@ -24,19 +25,31 @@ struct GltfPlacement
   std::int64_t Node = 0;
   GltfTransform Place;
   std::vector<double> Weights{}; ///< weights of the mesh's morph targets; empty: all 0
+  std::int64_t Skin = -1;        ///< the skin that moves it in place of the node; -1: none
 };
 
+class GltfAnimation;
+
 /// Finds the placements of the default scene; without scenes, of all nodes. Nodes that are not
-/// visible are left out, with their children.
+/// visible are left out, with their children. With an animation they are where it poses them, and skins
+/// move meshes.
 class GltfNodes
 {
 public:
-  explicit GltfNodes(GltfDocument& document)
+  explicit GltfNodes(GltfDocument& document, const GltfAnimation* animation = nullptr)
     : Document(document)
+    , Animation(animation)
   {
   }
 
   Status Find(std::vector<GltfPlacement>& placements);
+
+  /// Returns the place of a node that was found; null: it is not in the scene.
+  const GltfTransform* FindPlace(std::int64_t node) const
+  {
+    const auto found = this->Places.find(node);
+    return found == this->Places.end() ? nullptr : &found->second;
+  }
 
 private:
   /// A node to visit, with the transform of its parent.
@@ -49,7 +62,7 @@ private:
   Status AddNode(const Visit& visit, std::vector<Visit>& visits);
   Status ReadVisibility(const Json::Value& node, const std::string& where, bool& isVisible) const;
   Status ReadWeights(const Json::Value& node, GltfPlacement& placement) const;
-  Status ReadPlace(const Json::Value& node, const std::string& where, GltfTransform& place) const;
+  Status ReadPlace(const Json::Value& node, std::int64_t index, GltfTransform& place) const;
   Status AddInstances(
     const Json::Value& attributes, const std::string& where, const GltfPlacement& node);
   Status ReadAttribute(const Json::Value& attributes, const char* name, const char* type,
@@ -57,7 +70,9 @@ private:
 
   GltfDocument& Document;
   std::vector<GltfPlacement>* Placements = nullptr;
-  std::vector<bool> IsVisited; // by node
+  const GltfAnimation* Animation;               // null: none
+  std::vector<bool> IsVisited;                  // by node
+  std::map<std::int64_t, GltfTransform> Places; // places of nodes, if they are animated
 };
 
 } // namespace helios

@@ -20,11 +20,14 @@
  *
  * Positions may be integers (KHR_mesh_quantization), accessors sparse. Nodes that share a mesh are
  * copies. Nodes hidden by KHR_node_visibility are left out; morph targets have the default weights
- * of the node or mesh. Skins and animations are not applied.
+ * of the node or mesh. With an Animation, nodes, morph targets and skins have the pose of a time: vertices of
+ * a skin are the sum of weight times joint times inverse bind matrix. Without one, skins are not
+ * applied.
  *
  * Errors, without output: text that is not JSON, another version, an extension that is required and
  * may change the geometry (compression), an index out of range, bytes that do not fit into their
- * buffer, a vertex or node that is not finite, a node with two parents. Messages name the file and
+ * buffer, a vertex or node that is not finite, a node with two parents, an animation
+ * that does not exist, a mesh of a skin without weights. Messages name the file and
  * the JSON path of the value: "a.glb: meshes[0].primitives[1].indices: ...". Warnings: skins,
  * textures that should cut triangles and cannot, which are scanned as opaque.
  *
@@ -37,6 +40,8 @@
 
 #include "vtkHeliosFiltersIOModule.h" // For export macro
 #include "vtkHeliosSceneReader.h"
+
+#include <memory> // For the document
 
 class VTKHELIOSFILTERSIO_EXPORT vtkHeliosGLTFSceneReader : public vtkHeliosSceneReader
 {
@@ -53,6 +58,28 @@ public:
   vtkGetFilePathMacro(MaterialFileName);
   ///@}
 
+  ///@{
+  /**
+   * Set/Get the animation that poses the scene, by name, or by number from 0; "0" is the first. Null:
+   * none. Default: null.
+   */
+  vtkSetStringMacro(Animation);
+  vtkGetStringMacro(Animation);
+  ///@}
+
+  ///@{
+  /**
+   * Set/Get the time of the animation [s]; later than its end is as at its end. Valid range: [0, inf). Default: 0.
+   */
+  vtkSetClampMacro(AnimationTime, double, 0.0, VTK_DOUBLE_MAX);
+  vtkGetMacro(AnimationTime, double);
+  ///@}
+
+  /**
+   * Get the time of the last key of the animation [s], after Update().
+   */
+  vtkGetMacro(AnimationDuration, double);
+
 protected:
   vtkHeliosGLTFSceneReader();
   ~vtkHeliosGLTFSceneReader() override;
@@ -65,7 +92,14 @@ private:
   vtkHeliosGLTFSceneReader(const vtkHeliosGLTFSceneReader&) = delete;
   void operator=(const vtkHeliosGLTFSceneReader&) = delete;
 
+  bool ReadDocument(helios::TextReport& report);
+
   char* MaterialFileName = nullptr;
+  char* Animation = nullptr;
+  double AnimationTime = 0.0;
+  double AnimationDuration = 0.0;
+  struct Internals;
+  std::unique_ptr<Internals> Known;
 };
 
 #endif

@@ -13,6 +13,10 @@ namespace helios
 void ObjFaces::Add(const Face& face, const std::string& path)
 {
   this->LargestCount += static_cast<std::int64_t>(face.Vertices.size()) - 2;
+  if (this->Mesh.KeepsAll)
+  {
+    this->Mesh.Faces.Add(face.Vertices);
+  }
   const vtkIdType known = this->Mesh.GetNumberOfPoints();
   const auto isKnown = [known](vtkTypeInt32 vertex) { return vertex < known; };
   if (this->Waiting.empty() && std::all_of(face.Vertices.begin(), face.Vertices.end(), isKnown))

@@ -36,18 +36,19 @@ bool vtkHeliosObjSceneReader::ReadOnce(
   const std::string path = this->GetFileName();
   helios::ObjParser parser(report);
   parser.SetReadsTextures(hasTextures);
+  parser.Mesh.KeepsAll = this->GetKeepAll();
   helios::ObjScene names(parser, report);
   parser.File.OnBlock = [this](double progress) { return this->ReportBlock(progress); };
   bool isRead = false;
   try
   {
     isRead = parser.Read(path) && names.ReadMaterials(this->ReadColors);
-    if (isRead && !hasTextures && names.HasCutouts())
+    if (isRead && !hasTextures && !this->GetKeepAll() && names.HasCutouts())
     {
       hasTextures = true;
       return false;
     }
-    isRead = isRead && names.ApplyCutouts();
+    isRead = isRead && (this->GetKeepAll() || names.ApplyCutouts());
     if (isRead)
     {
       parser.Mesh.TextureCoordinates.Truncate(

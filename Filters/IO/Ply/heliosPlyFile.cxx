@@ -231,6 +231,10 @@ bool PlyFile::AddFace()
     return false;
   }
   const std::vector<vtkTypeInt32>& ring = this->Rings.front();
+  if (this->Mesh.KeepsAll)
+  {
+    this->Mesh.Faces.Add(ring);
+  }
   if (ring.size() == 3)
   {
     this->Mesh.AddTriangle(ring[0], ring[1], ring[2], 0);

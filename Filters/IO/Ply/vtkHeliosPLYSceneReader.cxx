@@ -14,6 +14,7 @@ bool vtkHeliosPLYSceneReader::ReadScene(vtkPolyData* scene, helios::TextReport& 
 {
   helios::SceneMesh mesh;
   mesh.Materials.emplace_back();
+  mesh.KeepsAll = this->GetKeepAll();
   helios::PlyFile file(mesh, report);
   file.OnBlock = [this](double progress) { return this->ReportBlock(progress); };
   if (!file.Read(this->GetFileName()))

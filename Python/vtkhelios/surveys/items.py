@@ -264,6 +264,7 @@ _PART_ELEMENTS = (
     "crs",
     "repair",
     "simplify",
+    "frames",
 )
 _PART_ELEMENTS += ("rotate", "scale", "translate", "dmotion", "trajectory", "swap")
 

@@ -4,6 +4,7 @@
 #include "heliosBeamTree.h"
 
 #include "heliosBeamBuilder.h"
+#include "heliosBoxRefit.h"
 #include "heliosCoreBounds.h"
 #include "heliosHeightTree.h"
 #include "heliosThreadLoop.h"
@@ -12,6 +13,7 @@
 #include <vtkSMPTools.h>
 
 #include <algorithm>
+#include <cstring>
 #include <limits>
 
 namespace helios
@@ -178,6 +180,73 @@ void BeamTree::BuildNodes(const double box[6], StopCheck& check, int leafSize)
   builder.Build(this->Storage, check);
 }
 
+//------------------------------------------------------------------------------
+void BeamTree::BuildShape(const TriangleMesh& mesh, const std::vector<vtkTypeInt32>& triangles,
+  const double bounds[6], StopCheck& check)
+{
+  *this = BeamTree();
+  this->Mesh = &mesh;
+  const double low[3] = { bounds[0], bounds[2], bounds[4] };
+  const double high[3] = { bounds[1], bounds[3], bounds[5] };
+  if (!CanBeBuilt(mesh) || triangles.empty())
+  {
+    return;
+  }
+  this->Frame.Set(low, high);
+  BeamBuilder builder(mesh, this->Frame, static_cast<vtkIdType>(triangles.size()), LeafSize);
+  for (std::size_t i = 0; i < triangles.size(); ++i)
+  {
+    builder.SetTriangle(static_cast<vtkIdType>(i), triangles[i]);
+  }
+  builder.Build(this->Storage, check);
+  this->OpenLeaves();
+}
+
+/// Packs corners in steps so large that LeafFilter keeps all triangles.
+void BeamTree::OpenLeaves()
+{
+  constexpr unsigned char exponent = 127 + 40; // 2^40 times the size of the tree
+  constexpr std::size_t head = sizeof(PackedFrame) / sizeof(vtkTypeUInt32);
+  for (std::size_t i = 0; i < this->Storage.Nodes.GetSize(); ++i)
+  {
+    const PackedNode& node = this->Storage.Nodes[i];
+    for (int child = 0; child < node.GetCount(); ++child)
+    {
+      if (node.Children[child] & LeafBit)
+      {
+        vtkTypeUInt32* words = &this->Storage.Leaves[node.Children[child] & ~LeafBit];
+        PackedFrame frame = {};
+        std::memcpy(&frame, words, sizeof(frame));
+        std::fill_n(frame.Origin, 3, 0.0f);
+        std::fill_n(frame.Exponents, 3, exponent);
+        std::memcpy(words, &frame, sizeof(frame));
+        std::fill_n(words + head + frame.Count, 3 * frame.Count, 0u);
+      }
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+void BeamTree::CopyShape(const BeamTree& other, const MeshShape& shape)
+{
+  *this = BeamTree();
+  this->Mesh = other.Mesh;
+  this->Frame = other.Frame;
+  this->Storage.Nodes.Copy(other.Storage.Nodes);
+  this->Storage.Leaves.Copy(other.Storage.Leaves);
+  this->Storage.Root = other.Storage.Root;
+  this->IsComputed = true;
+  this->Shape = &shape;
+}
+
+//------------------------------------------------------------------------------
+void BeamTree::Fit(const RefitOrder& order, double low, double high, BoxRefit& refit)
+{
+  refit.Run(
+    order, *this->Shape, this->Mesh->GetNumberOfPoints(), low, high, this->Frame, this->Storage);
+}
+
+//------------------------------------------------------------------------------
 void BeamTree::Build(const HeightField& field)
 {
   *this = BeamTree();
@@ -186,6 +255,7 @@ void BeamTree::Build(const HeightField& field)
   const double low[3] = { b[0], b[2], b[4] };
   const double high[3] = { b[1], b[3], b[5] };
   this->Frame.Set(low, high);
+  this->IsComputed = true;
   this->Heights = std::make_shared<HeightTree>(field, this->Frame.Centre, this->Frame.Scale);
 }
 

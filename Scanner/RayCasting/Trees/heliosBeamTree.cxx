@@ -4,7 +4,9 @@
 #include "heliosBeamTree.h"
 
 #include "heliosHeightTree.h"
+#include "heliosMeshFrames.h"
 #include "heliosRayVectors.h"
+#include "heliosTriangleArea.h"
 
 #include <algorithm>
 #include <cmath>
@@ -322,7 +324,21 @@ bool BeamTree::SetFrustum(Frustum& frustum, const TestRay& ray, double error) co
 //------------------------------------------------------------------------------
 void BeamTree::ComputePoints(vtkTypeInt32 triangle, double points[3][3]) const
 {
-  this->Heights->GetField().GetSlotCorners(triangle, points);
+  if (this->IsOfHeights())
+  {
+    this->Heights->GetField().GetSlotCorners(triangle, points);
+    return;
+  }
+  const vtkTypeInt32* corners = this->Mesh->GetCorners() + 3 * static_cast<vtkIdType>(triangle);
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    this->Shape->GetPoint(corners[corner], points[corner]);
+  }
+  if (!SpansArea(points[0], points[1], points[2]))
+  {
+    std::copy_n(points[0], 3, points[1]); // one point, which is never hit
+    std::copy_n(points[0], 3, points[2]);
+  }
 }
 
 void BeamTree::GetCellPoints(vtkIdType cell, double points[3][3]) const

@@ -18,8 +18,11 @@
 namespace helios
 {
 
+class BoxRefit;
 class HeightField;
 class HeightTree;
+struct MeshShape;
+struct RefitOrder;
 
 /**
  * The bounds of a bundle's rays: they lie in a frustum about one of the axes, Z. At a distance s
@@ -66,6 +69,8 @@ struct Frustum
  * local to the scene; boxes are rounded outwards, and triangles are tested in double. Triangles that
  * reach far out of the scene are kept in a tree of doubles.
  * Over a height field, nodes, leaves and corners are computed on demand; triangles are its slots.
+ * Over a mesh that deforms, nodes are fitted to where its points are over a part of the way between two
+ * frames, and corners are interpolated on demand.
  */
 class VTKHELIOSSCANNERRAYCASTING_EXPORT BeamTree
 {
@@ -87,6 +92,19 @@ public:
   /// fast as over a mesh, less tight.
   void Build(const std::vector<std::array<double, 6>>& boxes);
 
+  /// Builds over triangles of a mesh that deforms within a box, with or without area. All in a leaf that is
+  /// entered are visited. The mesh must outlive it.
+  void BuildShape(const TriangleMesh& mesh, const std::vector<vtkTypeInt32>& triangles,
+    const double bounds[6], StopCheck& check);
+
+  /// Copies a tree of BuildShape(), which a shape is given that must outlive it.
+  void CopyShape(const BeamTree& other, const MeshShape& shape);
+
+  /// Fits the nodes of a tree of CopyShape() to its shape at the fractions from low to high.
+  void Fit(const RefitOrder& order, double low, double high, BoxRefit& refit);
+
+  const BeamStorage& GetStorage() const { return this->Storage; }
+
   bool HasOutliers() const { return this->OutliersExist; }
 
   /// Returns the first hit of the outliers.
@@ -103,7 +121,7 @@ public:
   /// Returns the corners of a triangle, in the buffer if they are not stored.
   void GetPoints(vtkTypeInt32 triangle, double buffer[3][3], const double* points[3]) const
   {
-    if (!this->IsOfHeights())
+    if (!this->IsComputed)
     {
       points[0] = this->Mesh->GetCorner(triangle, 0);
       points[1] = this->Mesh->GetCorner(triangle, 1);
@@ -175,6 +193,7 @@ private:
   static constexpr vtkTypeUInt32 LeafBit = BeamNode::LeafBit;
 
   void BuildNodes(const double box[6], StopCheck& check, int leafSize);
+  void OpenLeaves();
   void Prefetch(vtkTypeUInt32 child) const;
   void ComputePoints(vtkTypeInt32 triangle, double points[3][3]) const;
   vtkIdType ComputeCell(vtkIdType triangle) const;
@@ -184,7 +203,9 @@ private:
   BeamStorage Storage;
   bool OutliersExist = false;
   Bvh Outliers;
+  bool IsComputed = false;                   ///< whether corners are computed, not stored
   std::shared_ptr<const HeightTree> Heights; ///< null: over a mesh
+  const MeshShape* Shape = nullptr;          ///< null: over a mesh that does not deform
 };
 
 /// Traverses a tree along a frustum, from front to back.

@@ -3,11 +3,13 @@
 #pragma GCC diagnostic ignored "-Wpsabi" // vectors are passed to inlined functions only
 #include "heliosSceneTree.h"
 
+#include "heliosShapeTree.h"
 #include "heliosStopCheck.h"
 #include "heliosTriangleTest.h"
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace helios
 {
@@ -48,6 +50,7 @@ double GetError(const PlacedTree& placed, const vtkHeliosRay& ray)
 void SceneTree::Build(const TriangleMesh& mesh, StopCheck& check)
 {
   this->Scene = nullptr;
+  this->Instanced.clear();
   this->Shared = std::make_shared<Trees>();
   this->Shared->Mesh.Build(mesh, check);
   this->Mesh = PlacedTree(this->Shared->Mesh, nullptr);
@@ -86,6 +89,10 @@ void SceneTree::Build(const SceneGeometry& scene, StopCheck& check)
     prototype.IsRaster() ? trees.Prototypes[i].Build(prototype.GetHeights())
                          : trees.Prototypes[i].BuildWhole(prototype.GetMesh(), check);
   }
+  for (const BeamTree& tree : trees.Prototypes)
+  {
+    this->Instanced.push_back(&tree);
+  }
   std::vector<int> moving;
   std::vector<std::array<double, 6>> boxes = FindBoxes(scene, moving);
   trees.Boxes.Build(boxes, check);
@@ -106,6 +113,8 @@ void SceneTree::Share(const SceneTree& atRest, const SceneGeometry& moving)
   this->Shared = atRest.Shared;
   this->Mesh = atRest.Mesh;
   this->Scene = &moving;
+  this->Instanced = atRest.Instanced;
+  this->AddShapes();
   this->Moving = std::make_shared<MovingBoxes>();
   const std::lock_guard<std::mutex> lock(this->Shared->Mutex);
   auto& all = this->Shared->Motions;
@@ -118,6 +127,37 @@ void SceneTree::Share(const SceneTree& atRest, const SceneGeometry& moving)
   {
     all.push_back(this->Motion);
   }
+}
+
+//------------------------------------------------------------------------------
+/// Adds the trees of instances that deform: they are fitted once rays enter their boxes.
+void SceneTree::AddShapes()
+{
+  MovedInstances& moved = *this->Scene->GetMoved();
+  for (const SceneInstance& instance : this->Scene->GetInstances())
+  {
+    const MeshFrames* frames =
+      instance.Motion >= 0 ? moved.GetMotions()->GetFrames(instance.Motion) : nullptr;
+    if (frames)
+    {
+      auto tree = std::make_unique<ShapeTree>(moved.GetShape(instance),
+        [shared = this->Shared, frames] { return shared->GetPlan(*frames); });
+      this->Instanced.push_back(&tree->GetTree());
+      moved.SetFollower(instance, std::move(tree), static_cast<int>(this->Instanced.size()) - 1);
+    }
+  }
+}
+
+//------------------------------------------------------------------------------
+std::shared_ptr<const ShapePlan> SceneTree::Trees::GetPlan(const MeshFrames& frames)
+{
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  std::shared_ptr<const ShapePlan>& plan = this->Plans[&frames];
+  if (!plan)
+  {
+    plan = std::make_shared<ShapePlan>(frames);
+  }
+  return plan;
 }
 
 //------------------------------------------------------------------------------
@@ -161,7 +201,7 @@ std::size_t SceneTree::GetMemorySize() const
 PlacedTree SceneTree::GetInstance(int number) const
 {
   const SceneInstance& instance = this->Scene->GetInstance(static_cast<std::size_t>(number));
-  return { this->Shared->Prototypes[static_cast<std::size_t>(instance.PrototypeId)], instance };
+  return { *this->Instanced[static_cast<std::size_t>(instance.Tree)], instance };
 }
 
 //------------------------------------------------------------------------------

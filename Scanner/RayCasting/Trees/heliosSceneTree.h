@@ -12,6 +12,7 @@
 #include "heliosTriangleMesh.h"
 #include "vtkHeliosRay.h"
 
+#include <map>
 #include <memory>
 #include <mutex>
 #include <vector>
@@ -20,7 +21,9 @@ namespace helios
 {
 
 class HeightField;
+class MeshFrames;
 class SceneGeometry;
+class ShapePlan;
 class StopCheck;
 
 class VTKHELIOSSCANNERRAYCASTING_EXPORT SceneTree
@@ -106,13 +109,19 @@ private:
     BeamTree Mesh;
     std::vector<BeamTree> Prototypes;
     BoxTree Boxes;
-    BoxTree Resting; ///< the boxes of the instances that never move, if others do
-    std::mutex Mutex;
+    BoxTree Resting;  ///< the boxes of the instances that never move, if others do
+    std::mutex Mutex; ///< guards what follows
     std::vector<std::shared_ptr<MotionBoxes>> Motions; ///< those in use
+    std::map<const MeshFrames*, std::shared_ptr<const ShapePlan>> Plans;
+
+    /// Returns what all threads share of a mesh that deforms.
+    std::shared_ptr<const ShapePlan> GetPlan(const MeshFrames& frames);
   };
+  void AddShapes();
 
   std::shared_ptr<Trees> Shared = std::make_shared<Trees>();
   PlacedTree Mesh{ this->Shared->Mesh, nullptr };
+  std::vector<const BeamTree*> Instanced;    ///< trees of instances, by their number
   const SceneGeometry* Scene = nullptr;      ///< null: no instances
   std::shared_ptr<MotionBoxes> Motion;       ///< null: all are at rest
   std::shared_ptr<const MovingBoxes> Moving; ///< boxes at the moment, if some move

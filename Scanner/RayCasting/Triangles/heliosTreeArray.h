@@ -54,6 +54,13 @@ public:
     this->Size = size;
   }
 
+  /// Copies the values of another array.
+  void Copy(const TreeArray& other)
+  {
+    this->Resize(other.Size);
+    std::copy_n(other.Values, other.Size, this->Values);
+  }
+
   /// Returns the memory that values do not need.
   void Shrink()
   {

@@ -54,7 +54,8 @@ LegScanner::LegScanner(
   : Survey(survey)
   , Settings(settings)
   , Log(log)
-  , Motion(survey.Scene, settings.Mesh ? settings.Mesh.Get() : scene, survey.Convention, log)
+  , Motion(survey.Scene, settings.Mesh ? settings.Mesh.Get() : scene, settings.Frames,
+      survey.Convention, log)
   , Scenes(this->FindScene(), survey.Scene.SpectraFolders, log)
   , Scanner(None)
   , Platform(None)

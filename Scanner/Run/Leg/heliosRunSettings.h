@@ -6,6 +6,7 @@
 #define heliosRunSettings_h
 
 #include "heliosRunPart.h"
+#include "heliosShapePath.h"
 #include "vtkHeliosEchoAlgorithm.h"
 #include "vtkHeliosRunOptions.h"
 
@@ -38,6 +39,7 @@ struct RunSettings
 
   vtkSmartPointer<vtkHeliosRayCaster> RayCaster;    ///< null: the scanner's default
   std::vector<vtkSmartPointer<vtkImageData>> Grids; ///< turbid voxels of the scene
+  SceneFrames Frames;                               ///< frames of its parts that deform
   /// textures of the scene; null: none are loaded
   std::shared_ptr<TextureStore> Textures;
   vtkSmartPointer<vtkPolyData> Mesh; ///< mesh that beams hit in place of the scene; null: none

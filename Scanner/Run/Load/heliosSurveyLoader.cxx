@@ -281,6 +281,8 @@ bool SurveyLoader::Load(const StepCallback& onStep, RunSettings& settings)
   }
   this->SetRayCaster(settings);
   settings.Grids = this->Grids;
+  settings.Frames =
+    this->Mesh ? SceneFrames() : this->Frames; // a mesh in place of the scene is rigid
   settings.Textures = this->Textures;
   return true;
 }
@@ -297,6 +299,7 @@ bool SurveyLoader::BuildScene(const StepCallback& onStep)
   }
   this->Scene = this->Builder->Build(onStep, this->Inputs.Options.Epoch);
   this->Grids = this->Scene ? this->Builder->GetGrids() : decltype(this->Grids)();
+  this->Frames = this->Scene ? this->Builder->GetFrames() : SceneFrames();
   this->SceneFiles = this->Builder->GetInputs();
   if (CountEpochs(this->Inputs.Survey->Scene) == 1)
   {
@@ -343,6 +346,7 @@ bool SurveyLoader::UseGivenScene()
   this->Scene = this->Inputs.Scene ? MakeTriangles(this->Inputs.Scene, "the input scene", this->Log)
                                    : vtkSmartPointer<vtkPolyData>::New();
   this->Grids.assign(this->Inputs.Grids.begin(), this->Inputs.Grids.end());
+  this->Frames.clear();
   if (!this->Scene ||
     (this->Scene->GetNumberOfPolys() == 0 && !vtkHeliosScene::HasInstances(this->Scene) &&
       this->Grids.empty()))

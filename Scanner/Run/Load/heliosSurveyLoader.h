@@ -115,6 +115,7 @@ private:
   std::unique_ptr<SceneBuilder> Builder; // builder of a survey with several epochs
   vtkSmartPointer<vtkPolyData> Scene;
   std::vector<vtkSmartPointer<vtkImageData>> Grids;
+  SceneFrames Frames;
   std::shared_ptr<TextureStore> Textures; // textures of the scene, of all epochs
   InputFiles SceneFiles;
   vtkSmartPointer<vtkHeliosRayCaster> Caster;               // with its tree

@@ -115,7 +115,7 @@ const std::vector<std::string>& GetFilterTypes()
 {
   static const std::vector<std::string> types = { "objloader", "geotiffloader", "xyzloader",
     "detailedvoxels", "plyloader", "stlloader", "cityjsonloader", "gltfloader", "lasloader", "crs",
-    "repair", "simplify", "rotate", "scale", "translate" };
+    "repair", "simplify", "frames", "rotate", "scale", "translate" };
   return types;
 }
 

@@ -4,6 +4,7 @@
 
 #include "heliosMessages.h"
 #include "heliosXmlFilter.h"
+#include "heliosXmlFrames.h"
 #include "heliosXmlMotion.h"
 #include "heliosXmlRules.h"
 
@@ -53,6 +54,7 @@ private:
   void ReadCrs(const XmlFilter& filter);
   void ReadRepair(const XmlFilter&) { this->Part.Repair = true; }
   void ReadSimplify(const XmlFilter& filter);
+  void ReadFrames(const XmlFilter& filter) { helios::ReadFrames(filter, this->Files, this->Part); }
   void ReadRotate(const XmlFilter& filter);
   void ReadScale(const XmlFilter& filter);
   void ReadTranslate(const XmlFilter& filter);
@@ -84,6 +86,7 @@ PartData PartReader::Read()
       JoinChoices(GetLoaders()));
   }
   this->CheckTurbid();
+  CheckFrames(this->Part, this->Element.GetMessages());
   this->ReadSwaps();
   return this->Part;
 }
@@ -107,7 +110,8 @@ void PartReader::ReadSwaps()
   {
     this->Part.Swaps.push_back(PartReader(swap, this->Files).ReadSwap(part));
   }
-  if (!this->Part.Swaps.empty() && this->Part.Name.empty() && this->Part.Files.size() > 1)
+  const bool areParts = this->Part.Files.size() > 1 && !this->Part.Frames.IsGiven();
+  if (!this->Part.Swaps.empty() && this->Part.Name.empty() && areParts)
   {
     this->Element.GetMessages().Error(this->Part.Swaps.front().Part.Where +
       ": <swap> needs one part, but this <part> has several files and no id, so each file is a "
@@ -152,6 +156,7 @@ SwapData PartReader::ReadSwap(const PartData& part)
   if (!swap.IsRemoved)
   {
     this->CheckTurbid();
+    CheckFrames(this->Part, log);
   }
   swap.Part = this->Part;
   return swap;
@@ -173,6 +178,7 @@ PartReader::Reading PartReader::FindReading(const std::string& type)
     { "crs", &PartReader::ReadCrs },
     { "repair", &PartReader::ReadRepair },
     { "simplify", &PartReader::ReadSimplify },
+    { "frames", &PartReader::ReadFrames },
     { "rotate", &PartReader::ReadRotate },
     { "scale", &PartReader::ReadScale },
     { "translate", &PartReader::ReadTranslate },

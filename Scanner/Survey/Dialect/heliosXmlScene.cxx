@@ -28,6 +28,12 @@ void AddPart(PartData part, std::vector<PartData>& parts)
     parts.push_back(part);
     return;
   }
+  if (part.Frames.IsGiven())
+  {
+    part.Name = std::to_string(parts.size());
+    parts.push_back(part);
+    return;
+  }
   const std::vector<std::string> files = std::move(part.Files);
   for (const std::string& file : files)
   {

@@ -46,7 +46,8 @@ std::set<std::size_t> FindMoving(const std::vector<PartData>& parts)
     {
       at = names.at(parts[at].Motion.Mount);
     }
-    if (parts[at].Motion.HasOwn() || !parts[at].Motion.Track.File.empty())
+    if (parts[i].Frames.IsGiven() || parts[at].Motion.HasOwn() ||
+      !parts[at].Motion.Track.File.empty())
     {
       moving.insert(i);
     }
@@ -55,10 +56,14 @@ std::set<std::size_t> FindMoving(const std::vector<PartData>& parts)
 }
 
 //------------------------------------------------------------------------------
-std::string DescribeMotion(const MotionData& motion)
+std::string DescribeMotion(const MotionData& motion, bool doesDeform)
 {
-  std::string text = motion.HasOwn() ? DescribeOwn(motion) : std::string();
+  std::string text = motion.HasOwn() || doesDeform ? DescribeOwn(motion) : std::string();
   const auto add = [&text](const std::string& more) { text += (text.empty() ? "" : ", ") + more; };
+  if (doesDeform)
+  {
+    add("deforms");
+  }
   if (!motion.Track.File.empty())
   {
     add("along " + std::filesystem::path(motion.Track.File).filename().string());

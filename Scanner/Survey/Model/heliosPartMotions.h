@@ -16,11 +16,11 @@
 namespace helios
 {
 
-/// Returns the numbers of the parts that move, by themselves or carried.
+/// Returns the numbers of the parts that move, by themselves or carried, or deform.
 VTKHELIOSSCANNERSURVEY_EXPORT std::set<std::size_t> FindMoving(const std::vector<PartData>& parts);
 
-/// Describes how a part moves: "along car.csv"; "continuous, on car".
-VTKHELIOSSCANNERSURVEY_EXPORT std::string DescribeMotion(const MotionData& motion);
+/// Describes how a part moves, and whether it deforms: "along car.csv"; "continuous, deforms, on car".
+VTKHELIOSSCANNERSURVEY_EXPORT std::string DescribeMotion(const MotionData& motion, bool doesDeform);
 
 } // namespace helios
 

@@ -6,6 +6,7 @@
 #ifndef heliosSurveyData_h
 #define heliosSurveyData_h
 
+#include "heliosFramesData.h"
 #include "heliosMotionData.h"
 #include "heliosPose.h"
 #include "heliosReceiverData.h"
@@ -259,6 +260,10 @@ struct PartData
   bool OnGround = false;             ///< its lowest vertex is moved to the ground below
   std::vector<SwapData> Swaps;       ///< its replacements in later epochs, in order
   MotionData Motion;                 ///< from its final position
+  FramesData Frames;                 ///< frames of a mesh that deforms: its files, or an animation
+
+  /// Returns whether it moves, may be carried, or deforms.
+  bool IsMoving() const { return this->Motion.IsMoving() || this->Frames.IsGiven(); }
 
   /// Returns whether its points become solid voxels.
   bool IsCloud() const { return this->Type == Loader::Xyz || this->Type == Loader::Las; }

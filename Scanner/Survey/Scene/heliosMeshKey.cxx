@@ -23,9 +23,14 @@ std::string GetMeshKey(const PartData& part)
   std::ostringstream key;
   key << std::hexfloat << static_cast<int>(part.Type) << part.UpIsY << part.Repair << ' '
       << part.SimplifyDistance << ' ' << part.Material.Count << ' ' << part.Material.RandomRange
-      << ' ' << part.Classification;
+      << ' ' << part.Classification << ' ' << part.Frames.IsGiven();
   std::vector<std::string> texts = part.Files;
   texts.insert(texts.end(), { part.LevelOfDetail, part.Material.File, part.Material.Name });
+  if (part.Type == Loader::Gltf && part.Frames.IsGiven()) // frames are made at the rate
+  {
+    key << ' ' << part.Frames.Rate;
+    texts.push_back(part.Frames.Animation);
+  }
   for (const CrsData& crs : part.Crs)
   {
     texts.insert(texts.end(), { crs.Source, crs.Target });

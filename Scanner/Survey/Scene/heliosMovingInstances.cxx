@@ -80,9 +80,10 @@ void CopyPoints(
 class MovingInstances::Split
 {
 public:
-  Split(vtkPolyData* scene, const std::map<int, std::size_t>& parts)
+  Split(vtkPolyData* scene, const std::map<int, std::size_t>& parts, const SceneFrames& frames)
     : Whole(scene)
     , Parts(parts)
+    , Frames(frames)
     , Sums(parts.size())
   {
   }
@@ -116,10 +117,12 @@ private:
   void FindCells();
   void AddRun(const std::vector<vtkIdType>& cells, std::size_t part, int id);
   void AddInstances(SceneMotions::Content& motions);
+  std::shared_ptr<const PartFrames> MakePlaced(int id) const;
   vtkSmartPointer<vtkPolyData> MakeInstances() const;
 
   vtkPolyData* Whole;
   const std::map<int, std::size_t>& Parts;
+  const SceneFrames& Frames;
   std::vector<CentroidSum> Sums;
   std::vector<bool> HasTriangles;
   SceneGeometry Geometry;
@@ -204,8 +207,22 @@ void MovingInstances::Split::AddRun(const std::vector<vtkIdType>& cells, std::si
   this->Entries.push_back(
     { this->Geometry.GetCell(cells.front()), this->Result->GetNumberOfPrototypes(), id, -1,
       { 1.0, 0.0, 0.0, 0.0 }, 1.0, { 0.0, 0.0, 0.0 }, static_cast<int>(this->Moving.size()) });
-  this->Moving.push_back({ part, Similarity() });
+  this->Moving.push_back({ part, Similarity(), this->MakePlaced(id) });
   this->Result->AddPrototype(prototype);
+}
+
+//------------------------------------------------------------------------------
+/// Returns the frames of a part at their place; null: it has none.
+std::shared_ptr<const PartFrames> MovingInstances::Split::MakePlaced(int id) const
+{
+  const auto found = this->Frames.find(id);
+  if (found == this->Frames.end())
+  {
+    return nullptr;
+  }
+  auto placed = std::make_shared<PartFrames>(*found->second);
+  placed->Frames = std::make_shared<MeshFrames>(found->second->Frames->MakePlaced(placed->Place));
+  return placed;
 }
 
 //------------------------------------------------------------------------------
@@ -229,7 +246,9 @@ void MovingInstances::Split::AddInstances(SceneMotions::Content&)
     if (found != this->Parts.end())
     {
       entry.Motion = static_cast<int>(this->Moving.size());
-      this->Moving.push_back({ found->second, instance.Place });
+      const auto frames = this->Frames.find(instance.Part);
+      this->Moving.push_back(
+        { found->second, instance.Place, frames == this->Frames.end() ? nullptr : frames->second });
       this->HasTriangles[found->second] = true;
       const Prototype& prototype = this->Geometry.GetPrototype(instance);
       for (vtkIdType t = 0; t < prototype.GetNumberOfTriangles(); ++t)
@@ -306,8 +325,8 @@ vtkSmartPointer<vtkPolyData> ShiftTimes(vtkPolyData* from, double start)
 } // namespace
 
 //------------------------------------------------------------------------------
-MovingInstances::MovingInstances(
-  const SceneData& scene, vtkPolyData* mesh, AngleConvention convention, Messages& log)
+MovingInstances::MovingInstances(const SceneData& scene, vtkPolyData* mesh,
+  const SceneFrames& frames, AngleConvention convention, Messages& log)
   : Log(log)
   , Whole(mesh)
   , Scene(mesh)
@@ -326,6 +345,8 @@ MovingInstances::MovingInstances(
       motions->Parts.back().Id = id;
       motions->Parts.back().Name = part.Name;
       motions->Parts.back().Data = part.Motion;
+      const auto shape = frames.find(id);
+      motions->Parts.back().Frames = shape == frames.end() ? nullptr : shape->second;
     }
     id += part.IsTurbid() ? 0 : 1;
   }
@@ -333,7 +354,7 @@ MovingInstances::MovingInstances(
   {
     return;
   }
-  Split split(mesh, places);
+  Split split(mesh, places, frames);
   if (!split.Run(*motions))
   {
     return;
@@ -441,6 +462,12 @@ bool MovingInstances::CheckSpan(double start, double end) const
   for (std::size_t i = 0; this->Motions && i < this->Motions->Parts.size(); ++i)
   {
     const MovingPartData& part = this->Motions->Parts[i];
+    const Status status = part.Frames ? part.Frames->CheckSpan(part.Name, start, end) : Status();
+    if (!status.IsOk())
+    {
+      this->Log.Error(status.Message());
+      return false;
+    }
     const Trajectory* track = part.Track.get();
     if (track && !track->IsStatic() &&
       (track->GetStartTime() > start + rounding || track->GetEndTime() < end - rounding))

@@ -31,8 +31,8 @@ class VTKHELIOSSCANNERSURVEY_EXPORT MovingInstances
 {
 public:
   /// Reports errors of trajectories.
-  MovingInstances(
-    const SceneData& scene, vtkPolyData* mesh, AngleConvention convention, Messages& log);
+  MovingInstances(const SceneData& scene, vtkPolyData* mesh, const SceneFrames& frames,
+    AngleConvention convention, Messages& log);
   ~MovingInstances();
 
   bool IsMoving() const { return this->Motions != nullptr; }
@@ -46,7 +46,8 @@ public:
   /// Returns the parts that move, with their speeds in legs.
   std::vector<PartSpeeds> GetSpeeds(const std::vector<LegClock>& legs) const;
 
-  /// Checks that the trajectories of the parts have a span of the survey [s]; false after an error.
+  /// Checks that the trajectories and frames of the parts have a span of the survey [s]; false after an
+  /// error.
   bool CheckSpan(double start, double end) const;
 
   /// Returns the motions during a leg; null if nothing moves.

@@ -201,7 +201,7 @@ PartPipelines::Filter PartPipelines::MakePipeline(const PartData& part)
 bool PartPipelines::IsRaster(const PartData& part) const
 {
   return this->IsSharing && part.Type == Loader::GeoTiff && part.Files.size() == 1 &&
-    part.Crs.empty() && part.Classification < 0 && !part.Motion.IsMoving() && !part.Repair &&
+    part.Crs.empty() && part.Classification < 0 && !part.IsMoving() && !part.Repair &&
     part.SimplifyDistance <= 0.0 && !part.OnGround &&
     this->NoRasters.count(part.Files.front()) == 0;
 }
@@ -249,10 +249,13 @@ void PartPipelines::RemoveOthers(const std::vector<const PartData*>& parts)
   EraseIf(this->Places, [&isGone](const auto& place) { return isGone(place.first); });
   EraseIf(this->GridReaders, [&isGone](const auto& grid) { return isGone(grid.first); });
   std::set<vtkAlgorithm*> used;
+  std::set<std::string> meshes;
   for (const auto& source : this->Sources)
   {
     AddPipeline(source.second, used);
+    meshes.insert(GetMeshKey(*source.first));
   }
+  this->Frames.RemoveOthers(meshes, used);
   const auto isUnused = [&used](const auto& reader) { return used.count(reader.second) == 0; };
   EraseIf(this->MeshReaders, isUnused);
   EraseIf(this->RasterReaders, isUnused);
@@ -308,6 +311,17 @@ bool PartPipelines::ReadFiles(const StepCallback& onStep)
     }
     reader.second->Update();
   }
+  for (const auto& source : this->Sources)
+  {
+    const PartData& part = *source.first;
+    this->Where = part.Where;
+    if (part.Frames.IsGiven() &&
+      !this->Frames.Read(
+        part, onStep, [&](const Filter& reader) { return this->AddCrs(part, reader); }))
+    {
+      return false;
+    }
+  }
   this->Watch.BeginStep("assembling the scene");
   return !this->Watch.WasStopped() && !this->Log.HasError();
 }
@@ -315,7 +329,7 @@ bool PartPipelines::ReadFiles(const StepCallback& onStep)
 //------------------------------------------------------------------------------
 PartPipelines::Filter PartPipelines::MakeMesh(const PartData& part)
 {
-  if (part.Files.size() == 1)
+  if (part.Files.size() == 1 || part.Frames.IsGiven())
   {
     return this->GetReader(part, part.Files.front());
   }

@@ -6,6 +6,7 @@
 #define heliosPartPipelines_h
 
 #include "heliosFilterWatch.h"
+#include "heliosFrameList.h"
 #include "heliosSceneReaders.h"
 #include "heliosSurveyData.h"
 #include "vtkHeliosScannerSurveyModule.h" // For export macro
@@ -60,6 +61,9 @@ public:
   /// are made of meshes from then on, by GetSource().
   bool CheckRasters();
 
+  /// Returns the frames of parts after their files were read, in the coordinates of GetSource().
+  const FrameSets& GetFrames() const { return this->Frames; }
+
   /// Releases the pipelines of all other parts.
   void RemoveOthers(const std::vector<const PartData*>& parts);
 
@@ -109,6 +113,7 @@ private:
   std::set<const PartData*> RasterParts;       // parts whose places are over rasters
   std::string Where;                           // the current part
   std::map<SceneReaderKey, Filter> MeshReaders;
+  FrameSets Frames{ this->Watch, this->Log };
   std::vector<std::pair<std::string, Filter>> Readers; // all, with the files they read
 };
 

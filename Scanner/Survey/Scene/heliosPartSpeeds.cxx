@@ -24,6 +24,11 @@ void AddLeg(
 {
   const Vec3 centroid = motions.GetContent().Parts[part].Centroid;
   const auto path = motions.MakePath(part);
+  if (!path) // it deforms where it stands
+  {
+    sums.Minimum = 0.0;
+    return;
+  }
   MotionMap map;
   for (int i = 0; i < moments; ++i)
   {
@@ -52,7 +57,7 @@ std::vector<PartSpeeds> ComputeSpeeds(
   for (std::size_t i = 0; i < content->Parts.size(); ++i)
   {
     const MovingPartData& part = content->Parts[i];
-    PartSpeeds speeds = { part.Name, DescribeMotion(part.Data),
+    PartSpeeds speeds = { part.Name, DescribeMotion(part.Data, part.Frames != nullptr),
       legs.empty() ? 0.0 : std::numeric_limits<double>::infinity(), 0.0 };
     for (const LegClock& leg : legs)
     {

@@ -27,6 +27,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 #include <map>
 
 namespace names = vtkHeliosArrayNames;
@@ -191,6 +192,32 @@ std::vector<vtkSmartPointer<vtkImageData>> SceneBuilder::GetGrids()
 }
 
 //------------------------------------------------------------------------------
+SceneFrames SceneBuilder::GetFrames() const
+{
+  SceneFrames all;
+  int id = 0;
+  for (const Part& part : this->Parts)
+  {
+    double rate = 0.0;
+    if (const auto frames = this->Pipelines.GetFrames().Get(*part.Data, rate))
+    {
+      const PartData& data = *part.Data;
+      auto made = std::make_shared<PartFrames>();
+      made->Frames = frames;
+      made->Data = data.Frames;
+      made->First = std::filesystem::path(data.Files.front()).filename().string();
+      made->Last = std::filesystem::path(data.Files.back()).filename().string();
+      made->Place = Similarity(data.Rotation.GetData(), data.Scale, part.Translation.GetData());
+      made->Rate = rate;
+      made->IsClosed = data.Type != Loader::Gltf;
+      all[id] = made;
+    }
+    id += part.Data->IsTurbid() ? 0 : 1;
+  }
+  return all;
+}
+
+//------------------------------------------------------------------------------
 void SceneBuilder::SetColors(bool areRead)
 {
   this->HasColors = areRead;
@@ -226,6 +253,7 @@ vtkSmartPointer<vtkPolyData> SceneBuilder::Compose(bool withPartsOnGround)
   {
     return nullptr;
   }
+  this->AddFramesTo(scene);
   return SetSceneCrs(scene, this->Scene, this->Log) ? scene : nullptr;
 }
 
@@ -254,6 +282,30 @@ bool SceneBuilder::AddTreesTo(vtkPolyData* scene) const
 }
 
 //------------------------------------------------------------------------------
+/// Adds notes on the parts that deform.
+void SceneBuilder::AddFramesTo(vtkPolyData* scene) const
+{
+  vtkNew<vtkStringArray> notes;
+  notes->SetName(names::Notes);
+  if (vtkAbstractArray* given = scene->GetFieldData()->GetAbstractArray(names::Notes))
+  {
+    notes->DeepCopy(given);
+  }
+  const SceneFrames all = this->GetFrames();
+  auto* partNames =
+    vtkStringArray::SafeDownCast(scene->GetFieldData()->GetAbstractArray(names::PartName));
+  for (const auto& [id, frames] : all)
+  {
+    notes->InsertNextValue(
+      "part " + std::string(partNames->GetValue(id)) + " " + frames->Describe());
+  }
+  if (!all.empty())
+  {
+    scene->GetFieldData()->AddArray(notes);
+  }
+}
+
+//------------------------------------------------------------------------------
 void SceneBuilder::AddParts(vtkHeliosSceneComposer* composer, bool withPartsOnGround) const
 {
   InstanceList instances;
@@ -271,7 +323,7 @@ void SceneBuilder::AddParts(vtkHeliosSceneComposer* composer, bool withPartsOnGr
       composer->AddInputConnection(part.Place->GetOutputPort());
       composer->SetPartName(connection, part.Name->c_str());
       composer->SetPartId(connection, id);
-      composer->SetPartIsSplit(connection, HasObjects(*part.Data) && !part.Data->Motion.IsMoving());
+      composer->SetPartIsSplit(connection, HasObjects(*part.Data) && !part.Data->IsMoving());
     }
     else
     {

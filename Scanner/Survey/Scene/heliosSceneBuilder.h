@@ -7,6 +7,7 @@
 
 #include "heliosLowestCorners.h"
 #include "heliosPartPipelines.h"
+#include "heliosShapePath.h"
 #include "vtkHeliosScannerSurveyModule.h" // For export macro
 
 #include <vtkSmartPointer.h>
@@ -48,6 +49,9 @@ public:
   /// Returns the turbid voxels of the built scene.
   std::vector<vtkSmartPointer<vtkImageData>> GetGrids();
 
+  /// Returns the frames of the parts of the built scene that deform.
+  SceneFrames GetFrames() const;
+
   /// Returns the files that were opened for the built scene and its voxels, also in an epoch
   /// before.
   InputFiles GetInputs() const { return this->Pipelines.GetInputs(); }
@@ -75,6 +79,7 @@ private:
   vtkSmartPointer<vtkPolyData> MakeGround();
   vtkSmartPointer<vtkPolyData> Compose(bool withPartsOnGround);
   bool AddTreesTo(vtkPolyData* scene) const;
+  void AddFramesTo(vtkPolyData* scene) const;
 
   const SceneData& Scene;
   Messages& Log;

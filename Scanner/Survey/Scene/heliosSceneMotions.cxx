@@ -3,6 +3,7 @@
 #include "heliosSceneMotions.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <utility>
@@ -36,12 +37,23 @@ Similarity GetMoved(const Similarity& atRest, const MotionMap& map)
   return place;
 }
 
+/// A part that stays where it is.
+class RestingPath : public PartPath
+{
+public:
+  bool Move(const SceneMoment&, MotionMap&) override { return false; }
+  PathBound GetBound(const MomentSpan&) override { return {}; }
+  PathRates GetRates(const SceneMoment&) override { return {}; }
+};
+
 /// A part's instance, on the path of the part.
 class PartTrack : public InstanceTrack
 {
 public:
-  PartTrack(std::unique_ptr<PartPath> path, const Similarity& atRest, const Vec3& centroid)
+  PartTrack(std::unique_ptr<PartPath> path, std::unique_ptr<ShapePath> shape,
+    const Similarity& atRest, const Vec3& centroid)
     : Path(std::move(path))
+    , Shape(std::move(shape))
     , AtRest(atRest)
     , Centroid(centroid)
   {
@@ -55,8 +67,11 @@ public:
     }
   }
 
-  void ComputeBounds(const MomentSpan& span, const double own[6], double bounds[6]) override
+  void ComputeBounds(const MomentSpan& span, const double prototype[6], double bounds[6]) override
   {
+    std::array<double, 6> own{};
+    std::copy_n(prototype, 6, own.begin());
+    own = this->Shape ? this->Shape->GetBounds(span) : own;
     const PathBound bound = this->Path->GetBound(span);
     const Similarity place = GetMoved(this->AtRest, bound.Map);
     const Vec3 pivot = bound.Map.Center + bound.Map.Shift;
@@ -111,8 +126,14 @@ public:
     return pose;
   }
 
+  void FindShape(const SceneMoment& moment, MeshShape& shape) override
+  {
+    this->Shape->Find(moment, shape);
+  }
+
 private:
   std::unique_ptr<PartPath> Path;
+  std::unique_ptr<ShapePath> Shape; // null: it is rigid
   Similarity AtRest;
   Vec3 Centroid; // centroid of the part at rest
   MotionMap Map;
@@ -134,15 +155,15 @@ SceneMotions::SceneMotions(std::shared_ptr<const Content> content, const PulseCl
 void SceneMotions::AddSteps(const MovingPartData& part)
 {
   constexpr std::size_t most = 8;
-  this->OnlySteps = this->OnlySteps && !part.Track && !(part.Motion && part.Data.IsContinuous) &&
+  const bool doesStep = part.Motion || part.Frames;
+  this->OnlySteps = this->OnlySteps && !part.Track && !(doesStep && part.Data.IsContinuous) &&
     this->Steps.size() <= most;
   const auto isSame = [&part](const MotionData& other)
   {
     return other.Seconds == part.Data.Seconds && other.Pulses == part.Data.Pulses &&
       other.Every == part.Data.Every;
   };
-  if (this->OnlySteps && part.Motion &&
-    std::none_of(this->Steps.begin(), this->Steps.end(), isSame))
+  if (this->OnlySteps && doesStep && std::none_of(this->Steps.begin(), this->Steps.end(), isSame))
   {
     this->Steps.push_back(part.Data);
   }
@@ -158,8 +179,21 @@ int SceneMotions::GetNumberOfTracks() const
 std::unique_ptr<InstanceTrack> SceneMotions::MakeTrack(int motion) const
 {
   const Instance& instance = this->Shared->Instances[static_cast<std::size_t>(motion)];
+  const MovingPartData& part = this->Shared->Parts[instance.Part];
+  std::unique_ptr<PartPath> path = this->MakePath(instance.Part);
+  path = path ? std::move(path) : std::make_unique<RestingPath>();
+  auto shape = instance.Frames
+    ? std::make_unique<ShapePath>(part.Data, instance.Frames, this->Clock)
+    : nullptr;
   return std::make_unique<PartTrack>(
-    this->MakePath(instance.Part), instance.AtRest, this->Shared->Parts[instance.Part].Centroid);
+    std::move(path), std::move(shape), instance.AtRest, part.Centroid);
+}
+
+//------------------------------------------------------------------------------
+const MeshFrames* SceneMotions::GetFrames(int motion) const
+{
+  const auto& frames = this->Shared->Instances[static_cast<std::size_t>(motion)].Frames;
+  return frames ? frames->Frames.get() : nullptr;
 }
 
 //------------------------------------------------------------------------------
@@ -180,9 +214,10 @@ std::unique_ptr<PartPath> SceneMotions::MakePath(std::size_t number) const
     path =
       std::make_unique<MountedPath>(std::make_unique<TrajectoryPath>(part.Track), std::move(path));
   }
-  if (part.Carrier != MovingPartData::None)
+  auto carrier = part.Carrier == MovingPartData::None ? nullptr : this->MakePath(part.Carrier);
+  if (carrier) // null: none, or it deforms where it stands
   {
-    path = std::make_unique<MountedPath>(this->MakePath(part.Carrier), std::move(path));
+    path = std::make_unique<MountedPath>(std::move(carrier), std::move(path));
   }
   return path;
 }

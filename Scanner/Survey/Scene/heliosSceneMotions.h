@@ -7,6 +7,7 @@
 
 #include "heliosInstanceMotion.h"
 #include "heliosPartPath.h"
+#include "heliosShapePath.h"
 
 #include <memory>
 #include <string>
@@ -25,6 +26,7 @@ struct MovingPartData
   MotionData Data;
   std::shared_ptr<const PartMotion> Motion; ///< null: none of its own
   std::shared_ptr<const Trajectory> Track;  ///< null: it follows none
+  std::shared_ptr<const PartFrames> Frames; ///< null: it does not deform
   std::size_t Carrier = None;               ///< number of the part that carries it
   Vec3 Centroid{ 0.0, 0.0, 0.0 };           ///< centroid of its area, at rest
 };
@@ -37,6 +39,7 @@ public:
   {
     std::size_t Part;
     Similarity AtRest;
+    std::shared_ptr<const PartFrames> Frames; ///< in the frame of its prototype; null: it is rigid
   };
   /// The part of a motion that does not depend on the leg.
   struct Content
@@ -49,6 +52,7 @@ public:
 
   int GetNumberOfTracks() const override;
   std::unique_ptr<InstanceTrack> MakeTrack(int motion) const override;
+  const MeshFrames* GetFrames(int motion) const override;
   MomentSpan GetSpan(const SceneMoment& moment, vtkIdType pulses) const override;
   bool AreAtRest(const MomentSpan& span) const override;
 

@@ -46,6 +46,10 @@ vtkSmartPointer<vtkHeliosSceneReader> MakeGltfReader(const PartData& part)
 {
   auto reader = vtkSmartPointer<vtkHeliosGLTFSceneReader>::New();
   reader->SetMaterialFileName(GetTextOrNull(part.Material.File));
+  if (part.Frames.IsGiven())
+  {
+    reader->SetAnimation(part.Frames.Animation.empty() ? "0" : part.Frames.Animation.c_str());
+  }
   return reader;
 }
 
@@ -72,7 +76,7 @@ vtkSmartPointer<vtkHeliosSceneReader> MakeMeshReader(const PartData& part, bool 
 SceneReaderKey MakeSceneReaderKey(const PartData& part, const std::string& file)
 {
   return { part.Type, file, part.UpIsY, part.LevelOfDetail,
-    HasOwnMaterials(part) ? part.Material.File : std::string() };
+    HasOwnMaterials(part) ? part.Material.File : std::string(), part.Frames.IsGiven() };
 }
 
 //------------------------------------------------------------------------------
@@ -85,6 +89,7 @@ vtkSmartPointer<vtkPolyDataAlgorithm> MakeSceneReader(
   }
   const vtkSmartPointer<vtkHeliosSceneReader> reader = MakeMeshReader(part, withColors);
   reader->SetFileName(file.c_str());
+  reader->SetKeepAll(part.Frames.IsGiven());
   const bool isUpY = part.UpIsY || part.Type == Loader::Gltf;
   reader->SetUpAxis(isUpY ? vtkHeliosSceneReader::UP_AXIS_Y : vtkHeliosSceneReader::UP_AXIS_Z);
   return reader;

@@ -19,7 +19,7 @@ namespace helios
 {
 
 /// Values that a reader depends on: parts with equal values share it.
-using SceneReaderKey = std::tuple<Loader, std::string, bool, std::string, std::string>;
+using SceneReaderKey = std::tuple<Loader, std::string, bool, std::string, std::string, bool>;
 SceneReaderKey MakeSceneReaderKey(const PartData& part, const std::string& file);
 
 /// Returns the reader of a file of a part; its loader is one of meshes. Colours are read of OBJ

@@ -192,6 +192,16 @@ std::vector<XmlElementRule> MakeFilterRules()
     },
     {} },
 
+  { "filter:frames", "a mesh that deforms: numbered files with the same faces, or an animation of glTF; points move on straight lines from frame to frame",
+    {
+      Text("efilepath", "a folder and a regular expression for the names of the frames").Default("those of the loader").Names(XmlFile::Pattern),
+      Number("framesPerSecond", "rate of the files; of an animation, the rate at which it is posed").In("1/s", { 1e-6, 1e6 }).Default("required; 25 of an animation").At<&FramesData::Rate>(),
+      Word("atEnd", "error hold loop", "what a survey finds before the first and after the last frame: an error, that frame, or the frames again").At<&FramesData::End>(),
+      Number("tStart", "time of the frames at time 0 of the survey").In("s", Moment).At<&FramesData::Start>(),
+      Text("animation", "name of an animation of glTF, or its number from 0").Default("the first").At<&FramesData::Animation>(),
+    },
+    {} },
+
   { "filter:scale", "scales the part about its origin",
     {
       Number("scale", "factor; the last scale of a part is used").In("", { 1e-9, 1e9 }).At<&PartData::Scale>(),

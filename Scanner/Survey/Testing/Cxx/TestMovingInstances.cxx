@@ -199,7 +199,7 @@ TEST_CASE("MovingInstances: hits and cones equal those of copies at every step, 
   const auto data = MakeData(sequences, false);
   vtkNew<vtkObject> owner;
   helios::Messages log(owner);
-  const helios::MovingInstances parts(data, scene, helios::AngleConvention::Arinc705, log);
+  const helios::MovingInstances parts(data, scene, {}, helios::AngleConvention::Arinc705, log);
   REQUIRE(parts.IsMoving());
   const auto kind =
     vtkSmartPointer<vtkHeliosRayCaster>::Take(vtkHeliosRayCasterFactory::Create("beam"));
@@ -266,7 +266,7 @@ TEST_CASE("MovingInstances: a part that moves continuously is where it is at the
   vtkNew<vtkObject> owner;
   helios::Messages log(owner);
   const helios::MovingInstances parts(
-    MakeData(sequences, true), scene, helios::AngleConvention::Arinc705, log);
+    MakeData(sequences, true), scene, {}, helios::AngleConvention::Arinc705, log);
   const auto motions = parts.MakeMotions({ 0, 0.0, 1000.0 });
   const auto track = motions->MakeTrack(0);
   helios::Similarity first, second;
@@ -369,7 +369,7 @@ TEST_CASE("MovingInstances: a scene at rest is not touched", "[MovingInstances]"
   vtkNew<vtkObject> owner;
   helios::Messages log(owner);
   const helios::MovingInstances parts(
-    MakeData({}, true), scene, helios::AngleConvention::Arinc705, log);
+    MakeData({}, true), scene, {}, helios::AngleConvention::Arinc705, log);
   CHECK_FALSE(parts.IsMoving());
   CHECK(parts.GetScene() == scene);
   CHECK_FALSE(parts.MakeMotions({}));
@@ -390,7 +390,7 @@ TEST_CASE("MovingInstances: a wheel turns on a car that drives", "[MovingInstanc
   data.Parts[0].Motion.Mount = "car";
   vtkNew<vtkObject> owner;
   helios::Messages log(owner);
-  const helios::MovingInstances parts(data, scene, helios::AngleConvention::Arinc705, log);
+  const helios::MovingInstances parts(data, scene, {}, helios::AngleConvention::Arinc705, log);
   const auto motions = parts.MakeMotions({ 0, 0.0, 1000.0 });
   // the first triangles of the parts: 0, 1, 2 from cells 0, 1, 3
   const auto driver = motions->MakeTrack(0);
