@@ -137,6 +137,22 @@ TEST_CASE("SurveyFrames: the plane is rotated, scaled and moved, and drives", "[
   echoes.CheckVelocities([](const Vec3&, double) { return Vec3(0.0, 0.0, -7.0); }, AtRest, 1e-9);
 }
 
+TEST_CASE("SurveyFrames: a part is mounted on one that deforms where it stands", "[SurveyFrames]")
+{
+  Files files;
+  const std::string mesh = "<filter type=\"objloader\"><param type=\"string\" key=\"filepath\" "
+                           "value=\"plane.obj\"/></filter>";
+  AddRisingPlane(files, Param("framesPerSecond", "8"), "motion=\"continuous\" dynTimeStep=\"0.01\"",
+    "<filter type=\"translate\"><param key=\"offset\" value=\"0;0;-100\"/></filter>");
+  files.Replace("scene.xml", "</scene>",
+    "<part id=\"lid\" mount=\"floor\">" + mesh +
+      "<dmotion loop=\"0\"><motion type=\"translation\" "
+      "vec=\"0;0;-0.03\"/></dmotion></part></scene>");
+  Echoes echoes(files, Tripod, OneLeg, 1);
+  CheckHeights(echoes, [](double time) { return -3.0 * time; });
+  echoes.CheckVelocities([](const Vec3&, double) { return Vec3(0.0, 0.0, -3.0); }, AtRest, 1e-9);
+}
+
 TEST_CASE("SurveyFrames: what the survey finds after the last frame", "[SurveyFrames]")
 {
   Files files;
