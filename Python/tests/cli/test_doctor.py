@@ -99,3 +99,21 @@ def test_a_missing_package_is_called_missing(monkeypatch):
         ImportError, match="need the package matplotlib, which is not installed: apt-"
     ):
         packages.load("matplotlib", "charts need")
+
+
+@pytest.mark.parametrize("pip", [True, False], ids=["pip", "without pip"])
+def test_the_python_of_a_system_is_changed_as_it_allows(monkeypatch, tmp_path, pip):
+    """PEP 668: pip refuses to install beside the packages of Debian, unless for a user who insists."""
+    monkeypatch.setattr(packages.sysconfig, "get_path", lambda name: str(tmp_path))
+    monkeypatch.setattr(packages.sys, "prefix", packages.sys.base_prefix)
+    assert packages.advise("laspy") == "pip install --no-deps laspy"
+    (tmp_path / "EXTERNALLY-MANAGED").touch()
+    find_spec = packages.importlib.util.find_spec
+    monkeypatch.setattr(
+        packages.importlib.util, "find_spec", lambda name: pip if name == "pip" else find_spec(name)
+    )
+    first = "" if pip else "apt-get install python3-pip, then "
+    told = f"{first}pip install --user --break-system-packages --no-deps laspy"
+    assert packages.advise("laspy") == told
+    monkeypatch.setattr(packages.sys, "prefix", str(tmp_path))
+    assert packages.advise("laspy") == "pip install --no-deps laspy", "an environment is free"

@@ -127,7 +127,9 @@ def _imported(name, use, limit=None):
         number = lines[-2] if lines[-2][:1].isdigit() else _version_of(name)
         return _part(name, WORKS, number, lines[-1], use)
     last = (done.stderr.strip().splitlines() or [f"ends with code {done.returncode}"])[-1]
-    cure = f"pip install {limit}" if limit else packages.explain(name, ImportError(last))
+    cure = (
+        f"{packages.pip_install()} {limit}" if limit else packages.explain(name, ImportError(last))
+    )
     return _part(name, BROKEN, _version_of(name), "", use, cure)
 
 

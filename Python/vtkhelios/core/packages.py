@@ -8,6 +8,9 @@ The advice keeps the numpy that is there: packages of the system are built for i
 import importlib
 import importlib.metadata
 import importlib.util
+import pathlib
+import sys
+import sysconfig
 import typing
 
 
@@ -23,7 +26,7 @@ class Package(typing.NamedTuple):
     def command(self):
         """The command, or two, that install it."""
         keep = f" {numpy_limit()}" if self.needs_numpy else ""
-        command = f"pip install {self.pip}{keep}"
+        command = f"{pip_install()} {self.pip}{keep}"
         return f"apt-get install {self.apt}, or {command}" if self.apt else command
 
 
@@ -48,6 +51,20 @@ PACKAGES = {
 }
 
 
+def pip_install():
+    """The command without its packages; of the system's Python one that the system allows.
+
+    pip refuses to change a Python that packages of the system belong to, unless it is told twice:
+    to leave that alone (--user), and to do it (PEP 668).
+    """
+    is_system = sys.prefix == sys.base_prefix
+    marker = pathlib.Path(sysconfig.get_path("stdlib"), "EXTERNALLY-MANAGED")
+    if not (is_system and marker.is_file()):
+        return "pip install"
+    first = "" if importlib.util.find_spec("pip") else "apt-get install python3-pip, then "
+    return f"{first}pip install --user --break-system-packages"
+
+
 def numpy_limit():
     """Returns the requirement that keeps the major version of the numpy that is installed."""
     try:
@@ -70,7 +87,7 @@ def explain(name, error):
     reason = " ".join(str(error).split())[:300]
     cure = f"install it again: {advise(name)}"
     if "numpy" in reason.lower():
-        cure = f"give it the numpy that it is built for: pip install {numpy_limit()}"
+        cure = f"give it the numpy that it is built for: {pip_install()} {numpy_limit()}"
     return f"the package {name}, which is installed but cannot be imported: {reason}; {cure}"
 
 
