@@ -68,6 +68,42 @@ const KnownColumn KnownColumns[] = {
   { " relativeamplitude ", { names::RelativeAmplitude, 0, 1, VTK_DOUBLE } },
   { " deviation ", { names::Deviation, 0, 1, VTK_DOUBLE } },
   { " incidenceangle ", { names::IncidenceAngle, 0, 1, VTK_DOUBLE } },
+  { " cellids ", { names::CellIds, 0, 1, VTK_TYPE_INT64 } },
+  { " waveformids ", { names::WaveformIds, 0, 1, VTK_TYPE_INT64 } },
+  { " columnids ", { names::ColumnIds, 0, 1, VTK_TYPE_INT64 } },
+  { " hit ", { names::Hit, 0, 1, VTK_UNSIGNED_CHAR } },
+  { " specularevents ", { names::SpecularEvents, 0, 1, VTK_INT } },
+  { " scatteredamplitude ", { names::ScatteredAmplitude, 0, 1, VTK_DOUBLE } },
+  { " scattereddeviation ", { names::ScatteredDeviation, 0, 1, VTK_DOUBLE } },
+  { " radialvelocity ", { names::RadialVelocity, 0, 1, VTK_DOUBLE } },
+  { " weight ", { names::Weight, 0, 1, VTK_DOUBLE } },
+  { " waterdepth ", { names::WaterDepth, 0, 1, VTK_DOUBLE } },
+  { " truepoint0 truepoint:0 ", { names::TruePoint, 0, 3, VTK_DOUBLE } },
+  { " truepoint1 truepoint:1 ", { names::TruePoint, 1, 3, VTK_DOUBLE } },
+  { " truepoint2 truepoint:2 ", { names::TruePoint, 2, 3, VTK_DOUBLE } },
+  { " n0 normal:0 ", { names::Normal, 0, 3, VTK_DOUBLE } },
+  { " n1 normal:1 ", { names::Normal, 1, 3, VTK_DOUBLE } },
+  { " n2 normal:2 ", { names::Normal, 2, 3, VTK_DOUBLE } },
+  { " direction0 direction:0 ", { names::Direction, 0, 3, VTK_DOUBLE } },
+  { " direction1 direction:1 ", { names::Direction, 1, 3, VTK_DOUBLE } },
+  { " direction2 direction:2 ", { names::Direction, 2, 3, VTK_DOUBLE } },
+  { " orientation0 orientation:0 ", { names::Orientation, 0, 4, VTK_DOUBLE } },
+  { " orientation1 orientation:1 ", { names::Orientation, 1, 4, VTK_DOUBLE } },
+  { " orientation2 orientation:2 ", { names::Orientation, 2, 4, VTK_DOUBLE } },
+  { " orientation3 orientation:3 ", { names::Orientation, 3, 4, VTK_DOUBLE } },
+  { " velocity0 velocity:0 ", { names::Velocity, 0, 3, VTK_DOUBLE } },
+  { " velocity1 velocity:1 ", { names::Velocity, 1, 3, VTK_DOUBLE } },
+  { " velocity2 velocity:2 ", { names::Velocity, 2, 3, VTK_DOUBLE } },
+  { " partposition0 partposition:0 ", { names::PartPosition, 0, 3, VTK_DOUBLE } },
+  { " partposition1 partposition:1 ", { names::PartPosition, 1, 3, VTK_DOUBLE } },
+  { " partposition2 partposition:2 ", { names::PartPosition, 2, 3, VTK_DOUBLE } },
+  { " partorientation0 partorientation:0 ", { names::PartOrientation, 0, 4, VTK_DOUBLE } },
+  { " partorientation1 partorientation:1 ", { names::PartOrientation, 1, 4, VTK_DOUBLE } },
+  { " partorientation2 partorientation:2 ", { names::PartOrientation, 2, 4, VTK_DOUBLE } },
+  { " partorientation3 partorientation:3 ", { names::PartOrientation, 3, 4, VTK_DOUBLE } },
+  { " partvelocity0 partvelocity:0 ", { names::PartVelocity, 0, 3, VTK_DOUBLE } },
+  { " partvelocity1 partvelocity:1 ", { names::PartVelocity, 1, 3, VTK_DOUBLE } },
+  { " partvelocity2 partvelocity:2 ", { names::PartVelocity, 2, 3, VTK_DOUBLE } },
 };
 
 struct CommonName
@@ -98,7 +134,7 @@ std::string Normalize(std::string_view name)
   {
     word.erase(0, prefix.size());
   }
-  constexpr std::string_view normal = "normal"; // before x, y or z
+  constexpr std::string_view normal = "normal"; // before x, y or z, or 0, 1 or 2
   if (word.size() == normal.size() + 1 && word.substr(0, normal.size()) == normal)
   {
     word.erase(1, normal.size() - 1);

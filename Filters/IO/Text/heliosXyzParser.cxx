@@ -64,10 +64,22 @@ bool IsArray(const NamedColumn& column, const char* name)
   return std::string_view(column.Array) == name;
 }
 
-std::string ListColumns(const char* what, const int columns[3], int first)
+std::string ListColumns(const char* what, const int* columns, int count, int first)
 {
-  return std::string(", ") + what + " in " + std::to_string(columns[0] + first) + ' ' +
-    std::to_string(columns[1] + first) + ' ' + std::to_string(columns[2] + first);
+  std::string text = std::string(", ") + what + " in";
+  for (int k = 0; k < count; ++k)
+  {
+    text += ' ' + std::to_string(columns[k] + first);
+  }
+  return text;
+}
+
+/// Returns an array in words.
+const char* Describe(const NamedColumn& column)
+{
+  return IsArray(column, names::RGB)  ? "colours"
+    : IsArray(column, names::Normals) ? "normals"
+                                      : column.Array;
 }
 
 } // namespace
@@ -249,14 +261,10 @@ bool XyzParser::FailShort()
 {
   const int columns = this->Row.GetColumn();
   const int first = this->Format.FirstNumber;
-  std::string wanted = ListColumns("x y z", this->Layout->Coordinates, first).substr(2);
+  std::string wanted = ListColumns("x y z", this->Layout->Coordinates, 3, first).substr(2);
   for (const Values& values : this->Arrays)
   {
-    wanted += values.Column.Components == 3
-      ? ListColumns(
-          IsArray(values.Column, names::RGB) ? "colours" : "normals", values.Indices, first)
-      : std::string(", ") + values.Column.Array + " in " +
-        std::to_string(values.Indices[0] + first);
+    wanted += ListColumns(Describe(values.Column), values.Indices, values.Column.Components, first);
   }
   return this->Fail("the row has " + Counted(columns, "column") + ", but columns are read up to " +
     std::to_string(this->Row.GetNumberOfColumns() - 1 + first) + " from " + std::to_string(first) +

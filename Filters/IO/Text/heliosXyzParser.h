@@ -86,7 +86,7 @@ private:
   struct Values
   {
     NamedColumn Column;
-    int Indices[3] = {}; // columns of x, y, z
+    int Indices[4] = {}; // columns of the components
     GrowingArray<vtkDoubleArray> Numbers;
   };
 

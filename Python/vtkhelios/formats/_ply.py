@@ -7,7 +7,7 @@ numpy record, so writing is a header and copies.
 
 import numpy as np
 
-from ..array_names import INTENSITY, NORMALS, RGB
+from ..array_names import INTENSITY, NORMALS, ORIENTATION, PART_ORIENTATION, RGB
 from ..core.classes import vtk_class
 from ..core.paths import to_vtk
 from ._base import FileWriter, Header, Reader, call, from_cloud, rows_of
@@ -21,6 +21,7 @@ MARK = "vtkhelios"  # mark of comments with data that PLY cannot store, which th
 # Names that other programs read.
 NORMAL_FIELDS, COLOURS = ("nx", "ny", "nz"), ("red", "green", "blue")
 INTENSITY_FIELD = "intensity"
+QUATERNIONS = (ORIENTATION, PART_ORIENTATION)  # arrays of four components, which end in 0 to 3
 LARGEST = 2**53  # limit of the integers that are stored as doubles: all are exact
 COUNT_WIDTH = 20  # width of the vertex count, filled with a comment
 
@@ -69,12 +70,16 @@ class PlyReader(Reader):
         return chunk
 
     def _add(self, chunk, fields, name):
-        """A property, or three of them, as an array."""
+        """A property, or three of them, as an array; of quaternions four."""
         three = [name[:-1] + axis for axis in "XYZ"]
         if name == three[0] and name[:-1] and all(each in fields for each in three):
             if name[:-1] in {"points", *chunk}:
                 self.fail(f'has a property "{name}" beside {name[:-1]}; leave one out')
             chunk[name[:-1]] = _stack(fields, three)
+            return
+        four = [f"{name[:-1]}{k}" for k in range(4)]
+        if name[:-1] in QUATERNIONS and all(each in fields for each in four):
+            chunk[name[:-1]] = _stack(fields, four)
             return
         source = name
         name, values = self._names.convert(name, fields.pop(name))
