@@ -67,6 +67,22 @@ def test_errors_of_standard_input_name_it(tmp_path, capsys, monkeypatch):
     assert "standard output has the points; leave --json out" in capsys.readouterr().err
 
 
+@pytest.mark.parametrize(
+    "words",
+    ["detect - -o a.xyz", "compare - a.las", "compare a.las -", "fit -", "leafarea -", "plan -", "report -",
+     "export - a --kitti", "run -", "run a.xml --output -", "validate -", "tradeoff -", "join -",
+     "instrument a.json -o -"],
+)  # fmt: skip
+def test_what_takes_no_standard_input_or_output_says_so(words, capsys):
+    assert main(words.split()) == 2
+    out, err = capsys.readouterr()
+    command = words.split()[0]
+    assert out == "" and err == (
+        f"error: -: vtkhelios {command} does not take standard input or output there; give the "
+        "name of a file\n"
+    )
+
+
 def test_metadata_of_a_sensor_from_standard_input(capsys, monkeypatch):
     give(monkeypatch, b"[]")
     assert main(["instrument", "-"]) == 1

@@ -8,6 +8,7 @@ it is the name of a function of Python: list_), with
 SUMMARY                 one line for ``vtkhelios --help``
 add_arguments(parser)   its arguments; also parser.description and parser.epilog
 run(arguments)          does it and returns the exit code
+STANDARD                the arguments that may be - (standard input or output); default: none
 
 or, where the arguments are another program's, instead of the last two
 
@@ -29,6 +30,7 @@ from ..vtkHeliosFiltersCore import vtkHeliosVersion
 from ._messages import say_error
 from ._parser import Parser
 from ._reading import load_plugins
+from ._standard import explain_unsupported
 from ._stopping import Stopping, is_stopping, leave, report_stop
 
 DESCRIPTION = (
@@ -149,6 +151,10 @@ def run_command(argv):
         return 0
     if not arguments.command:
         parser.print_help(sys.stderr)
+        return 2
+    supported = getattr(commands([arguments.command])[arguments.command], "STANDARD", ())
+    if problem := explain_unsupported(arguments, supported):
+        say_error(problem)
         return 2
     return arguments.run(arguments)
 

@@ -18,6 +18,18 @@ def is_standard(path):
     return str(path) == NAME
 
 
+def explain_unsupported(arguments, supported):
+    """Returns the error if - is given to an argument that is not supported, by its name; else None."""
+    for name, value in vars(arguments).items():
+        is_given = is_standard(value) or (isinstance(value, (list, tuple)) and NAME in value)
+        if is_given and name not in supported:
+            return (
+                f"{NAME}: vtkhelios {arguments.command} does not take standard input or output "
+                "there; give the name of a file"
+            )
+    return None
+
+
 @contextlib.contextmanager
 def folder_of_standard():
     """Yields an empty folder, which is removed at the end."""

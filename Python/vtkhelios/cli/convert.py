@@ -27,6 +27,7 @@ SUMMARY = (
     "convert points: text, LAS, LAZ, COPC, VTK, PLY, PCD, E57, and whole runs; meshes to OBJ; surveys "
     "to YAML and back"
 )
+STANDARD = ("inputs", "output")
 
 EPILOG = """\
 formats, by the end of a name, in and out:

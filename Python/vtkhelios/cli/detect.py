@@ -28,6 +28,7 @@ from ._stopping import set_outcome
 from .run import detectors
 
 SUMMARY = "re-run echo detection on stored waveforms, with another detector or threshold"
+STANDARD = ("output",)
 
 EPILOG = """\
 what it reads: legNNN_fullwave.pvtt or .txt as vtkhelios run --waveforms writes them, or with

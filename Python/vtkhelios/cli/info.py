@@ -20,6 +20,7 @@ from ._units import add_height_unit_argument
 from .list_ import list_entries
 
 SUMMARY = "describe and check a file of points, a run, a mesh or a survey; list the scanners"
+STANDARD = ("path",)
 
 EPILOG = """\
 Points, in any format of vtkhelios convert, and the folder of a run: format, bounds, spacing,

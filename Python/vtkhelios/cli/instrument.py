@@ -11,6 +11,7 @@ from ._messages import Messages
 from ._standard import folder_of_standard, is_standard, read_input
 
 SUMMARY = "write a scanner from the calibration of its manufacturer, or its recorded pulse"
+STANDARD = ("path",)
 
 EPILOG = """\
 Reads the metadata of an Ouster sensor (JSON) and writes a <scanner> with optics="spinning": beams with
