@@ -79,7 +79,7 @@ helios_make_venv() {
   # LAS, LAZ, COPC and E57 files; Debian has no packages for them.
   helios_pip 'import laspy, lazrs' "laspy: records of LAS in vtkhelios convert; lazrs: the tests" \
     --no-deps 'laspy>=2.7,<3' 'lazrs<1'
-  helios_pip 'import copclib, laszip, pye57, plyfile' "copclib and others: COPC, E57; laszip: the tests" \
+  helios_pip 'import copclib, laszip, pye57, plyfile' "pye57: E57; copclib, laszip, plyfile: the tests" \
     --no-deps copclib laszip pye57 pyquaternion plyfile
 }
 

@@ -4,6 +4,7 @@
 
 #include "vtkAlgorithm.h"
 #include "vtkCommand.h"
+#include "vtkHeliosCOPCWriter.h"
 #include "vtkHeliosSurveyPlayer.h"
 #include "vtkHeliosSurveySource.h"
 #include "vtkObjectFactory.h"
@@ -70,13 +71,21 @@ void Abort(vtkObject* object)
   {
     player->Abort();
   }
+  if (auto* writer = vtkHeliosCOPCWriter::SafeDownCast(object))
+  {
+    writer->Abort();
+  }
 }
 
 double GetProgress(vtkObject* object)
 {
   auto* algorithm = vtkAlgorithm::SafeDownCast(object);
   auto* player = vtkHeliosSurveyPlayer::SafeDownCast(object);
-  return algorithm ? algorithm->GetProgress() : player ? player->GetProgress() : 0.0;
+  auto* writer = vtkHeliosCOPCWriter::SafeDownCast(object);
+  return algorithm ? algorithm->GetProgress()
+    : player       ? player->GetProgress()
+    : writer       ? writer->GetProgress()
+                   : 0.0;
 }
 
 /// Observes progress; stores exceptions.
@@ -249,6 +258,10 @@ bool RunTarget(vtkObject* target, int argument)
   {
     return argument == 0 ? player->Run() : player->Estimate();
   }
+  if (auto* writer = vtkHeliosCOPCWriter::SafeDownCast(target))
+  {
+    return writer->Close();
+  }
   auto* source = vtkHeliosSurveySource::SafeDownCast(target);
   if (source && argument < 0)
   {
@@ -277,9 +290,12 @@ PyObject* heliosRun(PyObject*, PyObject* args)
     return nullptr;
   }
   vtkSmartPointer<vtkObject> target = GetVtkObject(targetObject);
-  if (!target || (!target->IsA("vtkAlgorithm") && !target->IsA("vtkHeliosSurveyPlayer")))
+  if (!target ||
+    (!target->IsA("vtkAlgorithm") && !target->IsA("vtkHeliosSurveyPlayer") &&
+      !target->IsA("vtkHeliosCOPCWriter")))
   {
-    return PyErr_Format(PyExc_TypeError, "target is not an algorithm or a vtkHeliosSurveyPlayer");
+    return PyErr_Format(PyExc_TypeError,
+      "target is not an algorithm, a vtkHeliosSurveyPlayer or a vtkHeliosCOPCWriter");
   }
   auto watch = vtkSmartPointer<Watch>::New();
   watch->Begin(watched, onProgress, interval);

@@ -10,7 +10,7 @@
 /**
  * Implements run(target, argument, watched, on_progress, interval): calls Update(argument) of an
  * algorithm, Load() of a vtkHeliosSurveySource if argument is negative, Run() of a
- * vtkHeliosSurveyPlayer, or its Estimate() if argument is not 0. Every object of watched is
+ * vtkHeliosSurveyPlayer, or its Estimate() if argument is not 0, Close() of a vtkHeliosCOPCWriter. Every object of watched is
  * observed: at its ProgressEvent, at most every interval seconds, pending signals are handled and
  * on_progress (or None) is called with the object and its progress; if either raises, all of them
  * are aborted, and run() raises the same exception. The interpreter lock is released meanwhile,

@@ -62,8 +62,4 @@ def read(path, rows=1234):
 @pytest.fixture(params=["las", "laz", "copc.laz", "pvtp", "vtp", "ply"])
 def full_format(request):
     """The formats that store every array."""
-    if "laz" in request.param:
-        pytest.importorskip("lazrs")
-    if "copc" in request.param:
-        pytest.importorskip("copclib")
     return request.param

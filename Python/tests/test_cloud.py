@@ -226,7 +226,7 @@ def test_names_for_other_values_are_errors_with_one_hint(name, message):
 
 ENDINGS = {".las": 1e-3, ".laz": 1e-3, ".copc.laz": 1e-3, ".xyz": 1e-3, ".csv": 0, ".vtp": 0, ".pvtp": 0,
            ".ply": 0, ".pcd": 1e-5, ".e57": 0}  # fmt: skip
-NEEDS = {".copc.laz": "copclib", ".e57": "pye57"}
+NEEDS = {".e57": "pye57"}
 
 
 @pytest.mark.parametrize("ending", ENDINGS)

@@ -64,7 +64,7 @@ def test_names_of_any_encoding():
 
 
 def test_facts_of_a_run():
-    assert files.FORMATS == ("xyz", "las", "laz", "vtp")
+    assert files.FORMATS == ("xyz", "las", "laz", "copc", "vtp")
     assert (files.SUMMARY_NAME, files.JOURNAL_NAME, files.PART) == (
         "run_summary.json",
         "run.journal",

@@ -235,7 +235,10 @@ def test_callbacks_of_update(blocks):
 def test_run_takes_algorithms_and_players_only():
     from vtkhelios import _native
 
-    with pytest.raises(TypeError, match="target is not an algorithm or a vtkHeliosSurveyPlayer"):
+    with pytest.raises(
+        TypeError,
+        match="target is not an algorithm, a vtkHeliosSurveyPlayer or a vtkHeliosCOPCWriter",
+    ):
         _native.run(vtkhelios.vtkHeliosConicMirror(), 0, [], None, 0.1)
     with pytest.raises(TypeError, match="None cannot be watched"):
         _native.run(vtkhelios.vtkHeliosSyntheticScene(), 0, [None], None, 0.1)

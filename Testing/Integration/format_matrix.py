@@ -105,8 +105,13 @@ def read_las(path):
 def read_copc(path):
     import copclib
 
+    import laspy
+
     points = list(copclib.FileReader(str(path)).GetAllPoints())
     points.sort(key=lambda point: point.gps_time)  # an octree has its own order
+    with laspy.CopcReader.open(path) as reader:  # by the octree, too
+        times = np.sort(reader.query().gps_time)
+    assert np.array_equal(times, [point.gps_time for point in points])
     return {
         "points": np.array([[p.x, p.y, p.z] for p in points]),
         "rgb": np.array([[p.red, p.green, p.blue] for p in points]) / 65535,
@@ -217,7 +222,7 @@ def read_pcd(path):
 READERS = {
     "las": (read_las, "laspy"),
     "laz": (read_las, "laspy, lazrs"),
-    "copc.laz": (read_copc, "copclib"),
+    "copc.laz": (read_copc, "copclib, laspy"),
     "e57": (read_e57, "pye57"),
     "ply": (read_ply, "plyfile"),
     "pcd": (read_pcd, "numpy"),

@@ -39,7 +39,7 @@ NO_MODULES = re.compile(
 
 # Modules that a function may import: libraries that may be missing, and what takes long to load.
 OPTIONAL = {
-    "copclib", "dask", "distributed", "jinja2", "laspy", "matplotlib", "mcap", "open3d",
+    "dask", "distributed", "jinja2", "laspy", "matplotlib", "mcap", "open3d",
     "pandas", "pye57", "pyvista", "rich", "rosbags",
 }  # fmt: skip
 LATE = {

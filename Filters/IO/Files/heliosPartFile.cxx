@@ -207,8 +207,7 @@ bool PartFile::Open(const std::string& path, Folders folders)
   this->Path = path;
   this->Size = 0;
   this->BeginBlock();
-  this->IsNowhere = false;
-  this->IsInFolder = false;
+  this->IsNowhere = this->IsInFolder = this->IsReplaced = false;
   this->Problem = folders == Folders::Make ? MakeFoldersFor(path).Message() : std::string();
   std::error_code error;
   if (this->Problem.empty() && std::filesystem::is_directory(path, error))
@@ -227,8 +226,7 @@ bool PartFile::Reopen(const std::string& path, std::uint64_t size)
 {
   this->Abandon();
   this->Path = path;
-  this->IsNowhere = false;
-  this->IsInFolder = false;
+  this->IsNowhere = this->IsInFolder = this->IsReplaced = false;
   std::error_code error;
   const std::string part = this->GetPartPath();
   if (!std::filesystem::exists(part, error) && std::filesystem::exists(path, error))
@@ -268,6 +266,7 @@ bool PartFile::OpenCountOnly(const std::string& path)
   this->Size = 0;
   this->BeginBlock();
   this->IsNowhere = true;
+  this->IsReplaced = false;
   this->Descriptor = ::open("/dev/null", O_WRONLY | O_CLOEXEC);
   return this->Descriptor >= 0 || this->Fail("opened", errno);
 }
@@ -324,7 +323,7 @@ bool PartFile::Cut(std::uint64_t size)
 FileBlock PartFile::CollectBlock()
 {
   const FileBlock block{ std::filesystem::path(this->Path).filename().string(), this->BlockBegin,
-    this->Size, this->BlockSum.Finish(), false };
+    this->Size, this->BlockSum.Finish(), this->IsReplaced };
   this->BlockBegin = this->Size;
   return block;
 }
@@ -389,6 +388,25 @@ bool PartFile::Abandon()
   const int descriptor = this->Descriptor;
   this->Descriptor = -1;
   return descriptor < 0 || ::close(descriptor) == 0 || this->Fail("closed", errno);
+}
+
+bool PartFile::ReplaceBy(const std::string& made)
+{
+  if (!this->Abandon())
+  {
+    return false;
+  }
+  std::error_code error;
+  this->Size = std::filesystem::file_size(made, error);
+  this->BeginBlock();
+  this->BlockBegin = 0;
+  Status status = SyncFile(made);
+  status = status.IsOk() ? RenameFile(made, this->Path) : status;
+  status = status.IsOk() ? SyncFolderOf(this->Path) : status;
+  this->Problem = status.Message();
+  this->IsReplaced = status.IsOk();
+  return status.IsOk() &&
+    (this->BlockSum.AddFile(this->Path, 0, this->Size) || this->Fail("read", EIO));
 }
 
 bool LogFile::Fail(const std::string& what)

@@ -82,6 +82,10 @@ public:
   /// Closes the file as <path>.part; keeps the error message, if any.
   bool Abandon();
 
+  /// Closes the file as <path>.part, and gives its final name to another one that was made of it,
+  /// which is the block of the file from then on.
+  bool ReplaceBy(const std::string& made);
+
   /// Returns the size without truncated bytes [bytes].
   std::uint64_t GetSize() const { return this->Size; }
 
@@ -103,6 +107,7 @@ private:
   std::uint64_t BlockBegin = 0;
   bool IsNowhere = false;
   bool IsInFolder = false; // its name is fsynced
+  bool IsReplaced = false;
 };
 
 /// An append-only file, written line by line and locked by one process.

@@ -304,6 +304,12 @@ bool vtkHeliosStreamWriter::Close()
 }
 
 //------------------------------------------------------------------------------
+bool vtkHeliosStreamWriter::ReplaceBy(const std::string& made)
+{
+  return this->File->ReplaceBy(made) || this->FailFile(this->File->GetProblem());
+}
+
+//------------------------------------------------------------------------------
 bool vtkHeliosStreamWriter::Abandon()
 {
   if (!this->File->Abandon())

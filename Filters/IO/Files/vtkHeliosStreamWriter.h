@@ -223,6 +223,9 @@ protected:
   /// Overwrites bytes of the file.
   bool OverwriteBytes(vtkIdType place, const std::string& bytes);
 
+  /// Closes the file as .part, and gives its final name to another one that was made of it.
+  bool ReplaceBy(const std::string& made);
+
   /// Truncates the file to a size; the next block is accepted.
   bool TruncateTo(vtkIdType size);
 

@@ -213,6 +213,12 @@ Status LasFile::Read(std::uint64_t first, std::uint64_t count, char* bytes)
     : Status::Error(this->Path + ": its points " + points + " cannot be read; has it changed?");
 }
 
+std::string LasFile::ReadHead()
+{
+  std::string bytes(this->Header.PointsBegin, '\0');
+  return this->ReadBytes(0, bytes.size(), bytes.data()) ? bytes : std::string();
+}
+
 const LasRecord* LasFile::Find(const char* user, int id) const
 {
   const auto found = std::find_if(this->Records.begin(), this->Records.end(),

@@ -28,6 +28,9 @@ public:
   /// Opens a file whose header may not count all points yet: reads the points up to its end.
   Status OpenGrowing(const std::string& path);
 
+  /// Returns the bytes before the points: header and records.
+  std::string ReadHead();
+
   /// Returns how many points are best read at once.
   std::uint64_t GetPointsPerRound() const;
 

@@ -335,6 +335,16 @@ std::string LasRecord::Encode() const
   return bytes + this->Data;
 }
 
+std::string LasRecord::EncodeExtended() const
+{
+  std::string bytes(ExtendedHeadSize, '\0');
+  StoreText(bytes, 2, 16, this->User);
+  Store(bytes, 18, static_cast<std::uint16_t>(this->Id));
+  Store(bytes, 20, static_cast<std::uint64_t>(this->Data.size()));
+  StoreText(bytes, 28, TextSize, this->Description);
+  return bytes + this->Data;
+}
+
 std::string EncodeLasExtras(const std::vector<LasExtra>& extras)
 {
   std::string data;

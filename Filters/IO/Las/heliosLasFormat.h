@@ -137,7 +137,11 @@ struct VTKHELIOSFILTERSIO_EXPORT LasRecord
   std::string Description;
   std::string Data;
 
+  ///@{
+  /// Encodes it after the header, or after the points.
   std::string Encode() const;
+  std::string EncodeExtended() const;
+  ///@}
 };
 
 /// A scalar field of the Extra Bytes of a point.

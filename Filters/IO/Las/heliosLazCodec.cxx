@@ -94,11 +94,7 @@ const U8* GetBytes(std::string_view bytes)
 
 } // namespace
 
-namespace
-{
-
-/// Compresses the points of one chunk.
-Status EncodeChunk(
+Status EncodeLazChunk(
   const LazForm& form, const char* records, std::uint64_t count, std::string& bytes)
 {
   const auto encode = [&]
@@ -134,8 +130,6 @@ Status EncodeChunk(
   return Call("points cannot be compressed", encode);
 }
 
-} // namespace
-
 Status EncodeLazChunks(
   const LazForm& form, const char* records, std::uint64_t count, std::vector<LazBytes>& chunks)
 {
@@ -149,7 +143,8 @@ Status EncodeLazChunks(
       {
         const std::uint64_t first = i * LazPointsPerChunk;
         chunks[i].Points = std::min(LazPointsPerChunk, count - first);
-        states[i] = EncodeChunk(form, records + first * length, chunks[i].Points, chunks[i].Bytes);
+        states[i] =
+          EncodeLazChunk(form, records + first * length, chunks[i].Points, chunks[i].Bytes);
       }
     });
   const auto failed =
@@ -263,7 +258,7 @@ Status DecodeLazTable(std::string_view bytes, const LazForm& form, std::uint64_t
     return Status::Error("has a table of chunks that is cut off or damaged");
   }
   const auto count = LoadLas<std::uint32_t>(bytes.data() + 4);
-  if (count > points || count > room / static_cast<std::uint64_t>(form.PointLength))
+  if (count > room / static_cast<std::uint64_t>(form.PointLength)) // a chunk has a whole point
   {
     return Status::Error("has a table of " + std::to_string(count) + " chunks for " +
       std::to_string(points) + " points in " + std::to_string(room) + " bytes");

@@ -25,6 +25,10 @@ struct LazBytes
   std::string Bytes;
 };
 
+/// Compresses points as one chunk; any thread may call it.
+Status EncodeLazChunk(
+  const LazForm& form, const char* records, std::uint64_t count, std::string& bytes);
+
 /// Compresses points in parallel, in chunks as LASzip has them; the last one may be short.
 VTKHELIOSFILTERSIO_EXPORT Status EncodeLazChunks(
   const LazForm& form, const char* records, std::uint64_t count, std::vector<LazBytes>& chunks);

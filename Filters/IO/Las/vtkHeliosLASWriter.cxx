@@ -624,7 +624,7 @@ bool vtkHeliosLASWriter::Close()
     return false;
   }
   const vtkIdType count = this->NumberOfRecords;
-  if (!this->Superclass::Close())
+  if (!this->FinishFile())
   {
     return false;
   }

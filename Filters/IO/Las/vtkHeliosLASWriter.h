@@ -48,7 +48,7 @@
  * Bytes cannot hold.
  *
  * @sa
- * vtkHeliosStreamWriter vtkHeliosLASReader
+ * vtkHeliosStreamWriter vtkHeliosLASReader vtkHeliosCOPCWriter
  */
 
 #ifndef vtkHeliosLASWriter_h
@@ -172,6 +172,12 @@ protected:
   ~vtkHeliosLASWriter() override;
 
   const char* GetBlockSource() const override;
+
+  /// Gives the complete file its name; the packets have theirs already.
+  virtual bool FinishFile()
+  {
+    return this->Superclass::Close();
+  }
 
 private:
   vtkHeliosLASWriter(const vtkHeliosLASWriter&) = delete;

@@ -67,7 +67,7 @@ def test_advice_keeps_numpy():
     assert limit in ("'numpy<2'", "'numpy<3'")
     for name in ("matplotlib", "pandas", "open3d", "mcap"):
         assert limit in packages.advise(name)
-    for name in ("laspy", "copclib", "pye57", "pyvista"):
+    for name in ("laspy", "pye57", "pyvista"):
         assert "--no-deps" in packages.advise(name)
 
 

@@ -28,7 +28,7 @@ ARRAYS = {
 PACKED = {"PartOrientation", "Orientation"}  # four components do not fit into Extra Bytes
 LOST = {"las": PACKED, "laz": PACKED, "copc.laz": PACKED, "csv": set(), "pvtp": set(), "vtp": set(), "ply": set(),
         "pcd": set()}  # fmt: skip
-FLOATS = {"pcd": {"Amplitude", "EchoWidth", "Intensity"}}  # of single precision there
+FLOATS = {"pcd": {"Amplitude", "EchoWidth", "Intensity"}}  # arrays of single precision there
 
 
 def make_arrays():

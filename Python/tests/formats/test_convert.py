@@ -591,7 +591,6 @@ def test_full_disks(small_runs, tmp_path, ending):
     """A file that cannot grow beyond 200 kB: an error that names it, and no files left."""
     for package in {
         "las": ["laspy"],
-        "copc.laz": ["copclib"],
         "e57": ["pye57"],
     }.get(ending, []):
         pytest.importorskip(package)

@@ -285,8 +285,6 @@ def test_names(tmp_path):
 @pytest.mark.parametrize(
     "missing, ending, command",
     [
-        ("laspy", "copc.laz", "pip install --no-deps laspy"),
-        ("copclib", "copc.laz", "pip install --no-deps copclib laspy"),
         ("pye57", "e57", "pip install --no-deps pye57 pyquaternion"),
     ],
 )

@@ -9,6 +9,8 @@ import struct
 import numpy as np
 import pytest
 
+from _point_files import write
+
 from vtkhelios import cli, formats
 from vtkhelios.cli._inspect import Inspection
 
@@ -62,6 +64,25 @@ def test_header_of_las(small_runs, info):
     extra = {each["name"]: each["description"] for each in facts["extraBytes"]}
     assert extra["EchoWidth"] == "full width at half maximum [ns]"
     assert {"user": "LASF_Projection", "id": 2112}.items() <= facts["headerRecords"][0].items()
+
+
+def test_extended_records(tmp_path, info, capsys):
+    """The octree of COPC, and records of other programs in LAS, with their size and description."""
+    laspy = pytest.importorskip("laspy")
+    write(tmp_path / "a.copc.laz")
+    _, facts, _ = info(tmp_path / "a.copc.laz")
+    (record,) = facts["extendedRecords"]
+    assert record == {"user": "copc", "id": 1000, "bytes": 32, "description": "EPT Hierarchy"}
+    header = laspy.LasHeader(version="1.4", point_format=6)
+    las = laspy.LasData(header)
+    las.xyz = np.arange(30.0).reshape(10, 3)
+    las.evlrs = laspy.vlrs.vlrlist.VLRList([laspy.VLR("theirs", 7, "a note", b"x" * 100)])
+    las.write(tmp_path / "b.las")
+    _, facts, _ = info(tmp_path / "b.las")
+    (record,) = facts["extendedRecords"]
+    assert record == {"user": "theirs", "id": 7, "bytes": 100, "description": "a note"}
+    assert cli.main(["info", str(tmp_path / "b.las")]) == 0
+    assert "extended   theirs 7, 100 bytes: a note\n" in capsys.readouterr().out
 
 
 @pytest.mark.parametrize("spacing", [0.1, 0.5, 2.0])

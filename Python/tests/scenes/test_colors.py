@@ -158,7 +158,7 @@ def test_a_run_is_the_same_for_threads_and_instances(room, command_line):
 def test_text_has_no_colours(room, command_line):
     done = command_line("run", room / "survey.xml", "--output", room, "--colors")
     assert done.returncode != 0
-    assert "--colors needs --format las, laz or vtp" in done.stderr
+    assert "--colors needs --format las, laz, copc or vtp" in done.stderr
 
 
 def remove(path):
@@ -347,6 +347,7 @@ def test_run_to_writes_colours_where_the_format_has_them(room, tmp_path):
     cloud = vtkhelios.Cloud(reader.GetOutput())
     check_colors(cloud.points, cloud["RGB"], 4 * 0.01 / 255 + 1e-4)
     with pytest.raises(
-        vtkhelios.PipelineError, match='"xyz" cannot have colours of surfaces; give las, laz or vtp'
+        vtkhelios.PipelineError,
+        match='"xyz" cannot have colours of surfaces; give las, laz, copc or vtp',
     ):
         survey.run_to(tmp_path / "text", colors=True)

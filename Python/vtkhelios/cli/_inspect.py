@@ -19,7 +19,7 @@ from ..core.systems import Metres
 from ..core.words import counted
 from ..formats._base import rows_of
 from ..formats._names import NAME_KEYS, NAMES
-from ..formats._records import RecordReader
+from ..formats._records import EXTENDED_HEAD, RecordReader
 from ..formats._run import is_run
 from ..reports.raster import FARTHEST, Raster, is_near, tally
 
@@ -162,6 +162,11 @@ class Inspection:
              "description": _text(each.description)}
             for each in header.vlrs if not 100 <= each.record_id < 355
         ]  # fmt: skip
+        facts["extendedRecords"] = [
+            {"user": _text(each.user), "id": each.number, "bytes": each.size - EXTENDED_HEAD,
+             "description": _text(each.description)}
+            for each in reader.extended_heads
+        ]  # fmt: skip
         facts["extraBytes"] = [
             {
                 "name": _text(each.name),
@@ -227,7 +232,7 @@ class Inspection:
             self.warnings.append(
                 f"{counted(self._returns[0], 'point', 'have')} the return number 0"
             )
-        if self._backward and "COPC" not in reader.kind:
+        if self._backward and "copc" not in reader.kind.lower():
             self.warnings.append(
                 f"GPS times decrease {self._backward:,} times from point to point: points are not "
                 "in order of measurement"

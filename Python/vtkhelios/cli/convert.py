@@ -35,7 +35,7 @@ formats, by the end of a name, in and out:
   .csv        text with a line of names, every array a column
               input also .txt .asc .pts .ptx: named columns, or any that begin with x y z
   .las .laz   LAS and LAZ (compressed); from one to the other needs laspy
-  .copc.laz   COPC, LAZ in an octree for viewers; also needs copclib
+  .copc.laz   COPC, LAZ in an octree for viewers
   .pvtp .vtp  VTK XML, in pieces, or in one file (held in memory as a whole)
   .ply        PLY, binary; every array is a property
   .pcd        PCD of the Point Cloud Library: floats relative to an origin; read as a whole
@@ -44,8 +44,7 @@ formats, by the end of a name, in and out:
 
 From LAS or LAZ to LAS or LAZ records are copied: nothing changes, no header record is lost. All
 other conversions use arrays; data that the output format cannot store is reported. Points are
-converted in chunks: memory does not grow with the files, except for .vtp, for input of .pcd, and for
-.copc.laz (about 70 bytes per point).
+converted in chunks: memory does not grow with the files, except for .vtp and for input of .pcd.
 
 Meshes (.ply .stl .gltf .glb .json: CityJSON, .tif) become OBJ, if the output ends in .obj: triangles,
 and materials in an .mtl beside it.

@@ -7,6 +7,7 @@ import pathlib
 
 from .. import formats
 from ..core.reading import is_document
+from ..core.words import counted
 from ..formats._names import NAME_KEYS
 from . import _meshes
 from ._inspect import Inspection, inspect_xml
@@ -25,7 +26,7 @@ STANDARD = ("path",)
 EPILOG = """\
 Points, in any format of vtkhelios convert, and the folder of a run: format, bounds, spacing,
 coordinate system, times, returns, classes, arrays; for LAS and LAZ also scale and offset, Extra Bytes,
-waveforms and header records. All points are read, in chunks, and checked: counts and bounding box of
+waveforms, header records and extended records. All points are read, in chunks, and checked: counts and bounding box of
 the header, return numbers, decreasing times, points that are not finite. Problems are warnings.
 
 Meshes (.obj, .tif, .vrt, .stl, .gltf, .glb, .json and .jsonl: CityJSON, .ply with faces): triangles,
@@ -183,6 +184,10 @@ def point_lines(facts):
         yield f"extra      {extra['name']} ({extra['type']}): {extra['description'] or 'no description'}"
     for record in facts.get("headerRecords", []):
         yield f"record     {record['user']} {record['id']}: {record['description']}"
+    for record in facts.get("extendedRecords", []):
+        size = counted(record["bytes"], "byte")
+        words = record["description"] or "no description"
+        yield f"extended   {record['user']} {record['id']}, {size}: {words}"
 
 
 def name_lines(key, entries):

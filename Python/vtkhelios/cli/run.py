@@ -18,7 +18,7 @@ from ..reports.run import (
     epochs_lines, estimate_lines, forecast_line, join_reports, summary_lines,
 )  # fmt: skip
 from ..vtkHeliosFiltersCore import vtkHeliosGpsTime
-from ..vtkHeliosScannerRun import vtkHeliosRunFiles, vtkHeliosRunOptions, vtkHeliosSurveyPlayer
+from ..vtkHeliosScannerRun import vtkHeliosRunOptions, vtkHeliosSurveyPlayer
 from ._messages import Messages, say_error
 from ._parser import part_of_run, whole_number
 from ._progress import make_progress
@@ -72,7 +72,7 @@ def add_arguments(parser):
         "--format",
         choices=FORMATS,
         default=player.GetFormat(),
-        help="text columns, points as LAS 1.4 or LAZ, or VTK XML (default: %(default)s)",
+        help="text columns, points as LAS 1.4, LAZ or COPC, or VTK XML (default: %(default)s)",
     )
     add_output_arguments(parser)
     add_option_arguments(parser)
@@ -92,7 +92,7 @@ def add_arguments(parser):
         ),
         default=player.GetPulsesPerBlock(),
         help="pulses computed and written at a time: small blocks need less memory, and less is "
-        "lost if a run is killed; large ones are faster; text and LAS are byte-identical, in laz "
+        "lost if a run is killed; large ones are faster; text, LAS and COPC are byte-identical, in laz "
         "a block is compressed by itself, in vtp it is a file (default: %(default)s)",
     )
     parser.add_argument(
@@ -142,7 +142,7 @@ def contradiction(arguments):
             "give one of them"
         )
     if arguments.waveforms_in_points and not (
-        arguments.waveforms and vtkHeliosRunFiles.IsLas(arguments.format)
+        arguments.waveforms and arguments.format in ("las", "laz")
     ):
         return "--waveforms-in-points needs --format las or laz, and --waveforms: give all three"
     if fault := find_fault(arguments):

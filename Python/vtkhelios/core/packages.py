@@ -33,7 +33,6 @@ class Package(typing.NamedTuple):
 PYVISTA = "--no-deps pyvista==0.36.1 'scooby<1' 'appdirs<2'"  # without a VTK of its own
 PACKAGES = {
     "laspy": Package("records of LAS and LAZ files that are copied", "--no-deps laspy"),
-    "copclib": Package("COPC files", "--no-deps copclib laspy"),
     "pye57": Package("E57 files", "--no-deps pye57 pyquaternion"),
     "matplotlib": Package(
         "pages and pictures of reports", "matplotlib", True, "python3-matplotlib"

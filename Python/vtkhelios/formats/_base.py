@@ -368,8 +368,12 @@ class StreamWriter(Writer):
         if not self.count:
             self.abandon()
             self.fail("would have no points; change the selection")
-        call(self, self.stream, self.stream.Close)
+        call(self, self.stream, self.finish)
         set_unfinished(part_of(self.path), False)
+
+    def finish(self):
+        """Gives the complete file its name."""
+        self.stream.Close()
 
     def abandon(self):
         if self.stream.IsOpen():

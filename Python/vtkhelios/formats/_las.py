@@ -2,21 +2,12 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """LAS and LAZ by vtkHeliosLASReader and vtkHeliosLASWriter."""
 
-import pathlib
 import struct
-import tempfile
-
-import numpy as np
 
 from ..core.classes import vtk_class
-from ..core.run_files import PART
-
-from ._base import (
-    FormatError, Header, Reader, StreamWriter, call, check_file, from_cloud, to_cloud,
-)  # fmt: skip
+from ._base import FormatError, Header, Reader, StreamWriter, call, check_file, from_cloud
 from ._las_check import HEADER_BYTES
 from ._names import drop_part_names, watch_part
-from ._records import RecordReader
 
 
 def _head(path):
@@ -76,8 +67,8 @@ def _call(owner, reader, action):
 
 
 class LasWriter(StreamWriter):
-    def __init__(self, path, header):
-        super().__init__(path, header, vtk_class("vtkHeliosLASWriter")())
+    def __init__(self, path, header, stream=None):
+        super().__init__(path, header, stream or vtk_class("vtkHeliosLASWriter")())
         watch_part(path)
 
     def close(self):
@@ -93,36 +84,3 @@ class LazWriter(LasWriter):
     def __init__(self, path, header):
         super().__init__(path, header)
         self.stream.SetWriteCompressed(True)
-
-
-class Encoder:
-    """Chunks as the LAS records of vtkHeliosLASWriter. One header for all of them."""
-
-    def __init__(self, owner, header):
-        self._owner = owner
-        self._header = header
-        self._folder = tempfile.TemporaryDirectory(prefix="vtkhelios-")
-        self._las = pathlib.Path(self._folder.name) / "points.las"
-        self._part = pathlib.Path(f"{self._las}{PART}")
-        self._writer = vtk_class("vtkHeliosLASWriter")()
-        self._writer.SetFileName(str(self._las))
-        self._begin = 0  # first of the points in the file
-        self.model = None  # a RecordReader of the first chunk: the head
-
-    def encode(self, chunk):
-        """Returns a chunk as a structured array."""
-        writer = self._writer
-        opened = (lambda: writer.Reopen(self._begin, 0, 0)) if self._begin else writer.Open
-        call(self._owner, writer, opened)
-        cloud = to_cloud(chunk, self._header)
-        try:
-            call(self._owner, writer, lambda: writer.Write(cloud))
-        finally:
-            writer.Abandon()
-        if self.model is None:
-            self.model = RecordReader(self._part)
-            self._begin = self.model.header.offset_to_point_data
-        return np.fromfile(self._part, self.model.header.point_format.dtype(), offset=self._begin)
-
-    def close(self):
-        self._folder.cleanup()

@@ -12,7 +12,7 @@ from ._endings import FORMATS, explain_no_points
 WRITTEN = tuple(known for known, entry in FORMATS.items() if entry[2])
 TABLES = (".txt", ".csv")  # often other tables than points
 
-_ONLY_UTF8 = {".copc.laz", ".e57"}  # names accepted by their libraries
+_ONLY_UTF8 = {".e57"}  # names accepted by its library
 
 
 def ending(path):

@@ -6,6 +6,7 @@ import logging
 import os
 import pathlib
 import struct
+import typing
 
 import numpy as np
 
@@ -24,6 +25,16 @@ LEAST = {0: 0, 1: 0, 2: 2, 3: 2, 4: 3, 5: 3}  # versions 1.x of the first format
 DESCRIPTORS = range(100, 355)  # numbers of the waveform packet descriptor records
 TO_SCANNER = b"waveform [W], to the scanner"  # descriptor text in heliosLasWaves.h, and
 FROM_SCANNER = b"waveform [W]"  # text of earlier versions, whose vectors had the opposite sign
+
+
+class ExtendedRecord(typing.NamedTuple):
+    """The head of a record after the points."""
+
+    user: bytes
+    number: int
+    place: int  # first byte in the file
+    size: int  # [bytes], with the head
+    description: bytes
 
 
 class RecordReader:
@@ -91,7 +102,11 @@ class RecordReader:
             data = file.read(self._points_begin - header_size)
             self.records = [each for each in _split(data, count) if each[0] not in NOT_KEPT]
             self._waves_begin = struct.unpack_from("<Q", start, 227)[0] if minor >= 3 else 0
-            self.extended = self._find_extended(file, start) if minor >= 4 else []
+            self.extended_heads = self._find_extended(file, start) if minor >= 4 else []
+            self.extended = [
+                (each.user, each.number, each.place, each.size)
+                for each in self.extended_heads if each.user not in NOT_KEPT
+            ]  # fmt: skip
 
     def _set_start(self, start):
         """The head as it is written: of LAS 1.0 as 1.2, of LAS 1.5 as 1.4, of formats that the
@@ -136,7 +151,7 @@ class RecordReader:
         )
 
     def _find_extended(self, file, start):
-        """Returns the extended records: user, id, offset, size with the head."""
+        """Returns the extended records."""
         place, count = struct.unpack_from("<QI", start, 235)
         found = []
         for _ in range(count):
@@ -152,9 +167,9 @@ class RecordReader:
                     f"is cut off: it has {self._size} bytes, and an extended record ends after "
                     f"{place + size}; copy it again"
                 )
-            user = head[2:18].split(b"\0")[0]
-            if user not in NOT_KEPT:
-                found.append((user, struct.unpack_from("<H", head, 18)[0], place, size))
+            user, words = (text.split(b"\0")[0] for text in (head[2:18], head[28:]))
+            number = struct.unpack_from("<H", head, 18)[0]
+            found.append(ExtendedRecord(user, number, place, size, words))
             place += size
         return found
 
@@ -296,12 +311,10 @@ class RecordWriter:
         self._ranges.append(packets)
         return before
 
-    def close(self, internal=True, beside=None, bare=False):
-        """Ends the file; packets are written to it, or to another open one. Bare: without extended records."""
+    def close(self, internal=True, beside=None):
+        """Ends the file; packets are written to it, or to another open one."""
         self._try(self._writer.close)
         self._restore_head()
-        if bare:
-            return
         others = [
             (self._model.path, place, size)
             for user, number, place, size in self._model.extended

@@ -17,7 +17,7 @@ from ..core.run_files import (
 )  # fmt: skip
 from ..core.words import counted
 from ._base import ROWS, Reader, Scan, call, from_cloud, rows_of
-from ._open import open_file
+from ._open import ending, open_file
 from ._summary import read_summary
 from ._text import TextReader
 from ._vtp import PiecesReader
@@ -49,7 +49,7 @@ class RunReader(Reader):
             kind_of(path) == WAVEFORMS for path in self.folder.iterdir()
         )
         self.count = self._count()
-        self.kind = f"run of {counted(len(self.files), 'file')} of points ({pathlib.Path(self.files[0]).suffix})"
+        self.kind = f"run of {counted(len(self.files), 'file')} of points ({ending(self.files[0])})"
 
     def _names(self, kind):
         """Returns the files of a kind that the summary lists."""

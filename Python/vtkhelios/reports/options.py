@@ -10,6 +10,7 @@ FORMATS = {
     "xyz": "text (.xyz)",
     "las": "LAS 1.4 (.las)",
     "laz": "LAZ (.laz)",
+    "copc": "COPC (.copc.laz)",
     "vtp": "VTK XML (.vtp)",
 }
 

@@ -289,7 +289,7 @@ class Survey:
         """Runs the survey and writes a folder with the survey's name below that folder; returns a
         report.
 
-        format is "xyz", "las", "laz" or "vtp". The options equal run()'s except for legs, with the same
+        format is "xyz", "las", "laz", "copc" or "vtp". The options equal run()'s except for legs, with the same
         outputs: hits are always VTK XML, colors need the format las or vtp, truth and columns
         vtp; instances is True by default, like in vtkhelios run. Of files only:
 

@@ -29,28 +29,28 @@ const std::vector<Row>& vtkHeliosEchoAlgorithm::GetOutputRows()
   // clang-format off
   static const std::vector<Row> rows = {
   { &Outputs::Waveforms, "waveforms", "GenerateWaveforms", "WriteWaveforms", "waveforms", true,
-    "", "xyz las laz vtp", "waveforms", "written",
+    "", "xyz las laz copc vtp", "waveforms", "written",
     "also write the waveforms (as text, as VTK XML, or as LAS with point format 9 or 10)" },
   { &Outputs::WaveformsInPoints, "waveforms_in_points", "", "WaveformsInPoints", "waveformsInPoints", true,
     "", "las laz", "waveforms in the files of points", "yes",
     "with --format las or laz and --waveforms: only legNNN_points.las, with point format 9 or 10, which PDAL and QGIS "
     "refuse (default: point format 6 or 7, and legNNN_fullwave.las)" },
   { &Outputs::ScanFlags, "scan_flags", "GenerateScanFlags", "WriteScanFlags", "scanFlags", true,
-    "ScanDirectionFlag EdgeOfFlightLine", "xyz las laz vtp", "scan direction and edge flags", "written",
+    "ScanDirectionFlag EdgeOfFlightLine", "xyz las laz copc vtp", "scan direction and edge flags", "written",
     "echoes in text and VTK XML with the scan direction flag and the edge of flight line; in text as columns "
     "12 and 13 (default: only in LAS, which always has them)" },
   { &Outputs::Decibels, "decibels", "GenerateDecibels", "WriteDecibels", "decibels", false,
-    "RelativeAmplitude Reflectance", "xyz las laz vtp", "amplitude and reflectance in dB", "written",
+    "RelativeAmplitude Reflectance", "xyz las laz copc vtp", "amplitude and reflectance in dB", "written",
     "echoes with the amplitude above the detection threshold and the reflectance [dB]: in text as columns 14 "
     "and 15 after those of --scan-flags, in LAS as RIEGL names them" },
   { &Outputs::Colors, "colors", "GenerateColors", "WriteColors", "colors", false,
-    "RGB", "las laz vtp", "colours of surfaces", "written, as RGB",
-    "echoes with the colour of the surface, Kd and map_Kd of OBJ files, as RGB; with --format las, laz or vtp" },
+    "RGB", "las laz copc vtp", "colours of surfaces", "written, as RGB",
+    "echoes with the colour of the surface, Kd and map_Kd of OBJ files, as RGB; with --format las, laz, copc or vtp" },
   { &Outputs::Pulses, "pulses", "GeneratePulses", "WritePulses", "pulses", true,
-    "", "xyz las laz vtp", "pulses", "written",
+    "", "xyz las laz copc vtp", "pulses", "written",
     "also write the pulses, including those without a hit" },
   { &Outputs::SubRays, "hits", "GenerateSubRays", "WriteHits", "hits", false,
-    "", "xyz las laz vtp", "hits of sub-rays", "written",
+    "", "xyz las laz copc vtp", "hits of sub-rays", "written",
     "also write every hit of the sub-rays of a beam, with its share of the pulse (Weight): what leaf-area "
     "estimates need of partial hits; always VTK XML, a file per block, large" },
   { &Outputs::Truth, "truth", "GenerateTruth", "WriteTruth", "truth", false,
@@ -70,7 +70,7 @@ const std::vector<Row>& vtkHeliosEchoAlgorithm::GetOutputRows()
     "with --format vtp: also write the column of every echo and pulse in the revolution of a spinning head "
     "(ColumnIds); its beams are ChannelIds" },
   { &Outputs::SplitByChannel, "split_by_channel", "", "SplitByChannel", "splitByChannel", true,
-    "", "xyz las laz vtp", "files", "one per channel",
+    "", "xyz las laz copc vtp", "files", "one per channel",
     "one file per scanner channel: legNNN_points_dev<channel>.xyz" },
   };
   // clang-format on

@@ -245,6 +245,10 @@ bool LegRunner::Run(const LegPlan& plan, RunJournal& journal, const BlockCallbac
   if (before.IsDone)
   {
     this->Counts = before.Counts;
+    if (this->EndsFiles(plan))
+    {
+      RemoveParts(this->MakeOutputs(plan)); // the run may have ended before it could
+    }
     return true;
   }
   if (!CheckRun(journal.Check(), this->Log)) // does not recreate a removed folder
@@ -263,9 +267,10 @@ bool LegRunner::Run(const LegPlan& plan, RunJournal& journal, const BlockCallbac
     this->RunBlocks(plan, outputs, journal, onBlock) && !this->Log.HasError();
   this->Scanner.SetOnProgress(this->OnProgress);
   const bool isWhole = good && this->EndsFiles(plan);
+  const auto goesOn = [&] { return onBlock(this->Counts); };
   for (const LegOutput& output : outputs)
   {
-    good = (isWhole ? output.Writer->Close() : output.Writer->Abandon()) && good;
+    good = (isWhole ? Close(output, goesOn) : output.Writer->Abandon()) && good;
   }
   LegProgress done = journal.GetLeg(plan.Leg);
   if (!good)
@@ -283,7 +288,15 @@ bool LegRunner::Run(const LegPlan& plan, RunJournal& journal, const BlockCallbac
   {
     done.Files.push_back(trajectory);
   }
-  return CheckRun(journal.Append(plan.Leg, done), this->Log);
+  if (!CheckRun(journal.Append(plan.Leg, done), this->Log))
+  {
+    return false;
+  }
+  if (isWhole)
+  {
+    RemoveParts(outputs);
+  }
+  return true;
 }
 
 //------------------------------------------------------------------------------
@@ -358,7 +371,8 @@ bool LegRunner::RunPieces(const PieceRange& pieces, LegRun& run)
       if (!this->Log.HasError() && piece > pieces.First)
       {
         // chunks of LAZ end with a block: a part of one would change the bytes
-        this->Settings.Format == "laz" ? run.Writing.Finish() : run.Writing.Finish(run.Progress);
+        vtkHeliosRunFiles::IsCompressed(this->Settings.Format) ? run.Writing.Finish()
+                                                               : run.Writing.Finish(run.Progress);
       }
       return false;
     }

@@ -4,6 +4,7 @@
 
 #include "heliosRunProgress.h"
 #include "heliosRunSettings.h"
+#include "vtkHeliosCOPCWriter.h"
 #include "vtkHeliosLASWriter.h"
 #include "vtkHeliosPointTextWriter.h"
 #include "vtkHeliosPointXMLWriter.h"
@@ -24,11 +25,17 @@ vtkSmartPointer<vtkHeliosStreamWriter> MakeWriter(int port, const RunSettings& s
   const bool isXml = settings.Format == "vtp";
   const bool isLas = vtkHeliosRunFiles::IsLas(settings.Format);
   vtkSmartPointer<vtkHeliosStreamWriter> writer;
-  if (isLas && (port == EchoPort || port == WaveformPort))
+  if (settings.Format == "copc" && port == EchoPort)
+  {
+    const auto copc = vtkSmartPointer<vtkHeliosCOPCWriter>::New();
+    copc->LeavesPartOn();
+    writer = copc;
+  }
+  else if (isLas && (port == EchoPort || port == WaveformPort))
   {
     const auto las = vtkSmartPointer<vtkHeliosLASWriter>::New();
     las->SetWriteWaveforms(port == WaveformPort || settings.Wants.WaveformsInPoints);
-    las->SetWriteCompressed(settings.Format == "laz");
+    las->SetWriteCompressed(vtkHeliosRunFiles::IsCompressed(settings.Format));
     writer = las;
   }
   else if (port == WaveformPort && isXml)
@@ -112,6 +119,31 @@ bool EndBlock(const LegOutputs& outputs)
 {
   return std::all_of(outputs.begin(), outputs.end(),
     [](const LegOutput& output) { return output.Writer->EndBlock(); });
+}
+
+//------------------------------------------------------------------------------
+bool Close(const LegOutput& output, const std::function<bool()>& goesOn)
+{
+  if (auto* copc = vtkHeliosCOPCWriter::SafeDownCast(output.Writer))
+  {
+    copc->SetOnProgress([&goesOn](double) { return goesOn(); });
+    const bool isClosed = copc->Close();
+    copc->SetOnProgress({});
+    return isClosed;
+  }
+  return output.Writer->Close();
+}
+
+//------------------------------------------------------------------------------
+void RemoveParts(const LegOutputs& outputs)
+{
+  for (const LegOutput& output : outputs)
+  {
+    if (auto* copc = vtkHeliosCOPCWriter::SafeDownCast(output.Writer))
+    {
+      copc->RemovePart();
+    }
+  }
 }
 
 //------------------------------------------------------------------------------

@@ -80,6 +80,12 @@ bool WriteOutputs(const LegOutputs& outputs, const LegPiece& piece);
 /// Ends a block that a run can go on after; false after an error.
 bool EndBlock(const LegOutputs& outputs);
 
+/// Closes a writer. It asks meanwhile whether it goes on, if that takes long; false stops it.
+bool Close(const LegOutput& output, const std::function<bool()>& goesOn);
+
+/// Removes what writers leave beside complete files, once the journal has these.
+void RemoveParts(const LegOutputs& outputs);
+
 /// Returns the writer for a port of the scanner.
 vtkSmartPointer<vtkHeliosStreamWriter> MakeWriter(int port, const RunSettings& settings);
 

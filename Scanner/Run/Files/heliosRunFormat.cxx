@@ -66,7 +66,7 @@ Status SetFormat(const std::string& format, RunSettings& settings)
   }
   const bool isLas = vtkHeliosRunFiles::IsLas(format);
   settings.Format = format;
-  wants.WaveformsInPoints = wants.WaveformsInPoints && isLas && wants.Waveforms;
+  wants.WaveformsInPoints = wants.WaveformsInPoints && isLas && format != "copc" && wants.Waveforms;
   wants.ScanFlags =
     wants.ScanFlags || isLas || (format == "xyz" && wants.Decibels); // one order of columns
   return {};

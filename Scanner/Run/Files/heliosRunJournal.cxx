@@ -6,6 +6,7 @@
 #include "heliosStatus.h"
 #include "vtkHeliosRunFiles.h"
 
+#include <algorithm>
 #include <cstring>
 #include <filesystem>
 #include <fstream>
@@ -232,6 +233,12 @@ void RunJournal::Accept(std::size_t leg, const LegProgress& progress)
   this->Counts = progress.Counts;
   for (FileProgress& file : taken.Files)
   {
+    if (IsRewritten(file))
+    {
+      const auto isOfFile = [&file](const FileBlock& block) { return block.Name == file.Name; };
+      this->Blocks.erase(
+        std::remove_if(this->Blocks.begin(), this->Blocks.end(), isOfFile), this->Blocks.end());
+    }
     this->Blocks.insert(this->Blocks.end(), file.Blocks.begin(), file.Blocks.end());
     file.Blocks.clear(); // they belong to this line
     this->Files[file.Name] = file;

@@ -271,10 +271,22 @@ bool HasGrown(const ScanCounts& before, const ScanCounts& after)
 }
 
 //------------------------------------------------------------------------------
+bool IsRewritten(const FileProgress& file)
+{
+  return file.IsWhole &&
+    std::any_of(file.Blocks.begin(), file.Blocks.end(),
+      [&file](const FileBlock& block)
+      {
+        return block.Name == file.Name && block.Begin == 0 && block.IsWhole &&
+          block.End == static_cast<std::uint64_t>(file.Size);
+      });
+}
+
+//------------------------------------------------------------------------------
 bool HasGrown(const FileProgress& before, const FileProgress& after)
 {
-  return !before.IsWhole && after.Size >= before.Size && after.Records >= before.Records &&
-    after.Bytes >= before.Bytes;
+  const bool isLarger = after.Size >= before.Size && after.Bytes >= before.Bytes;
+  return !before.IsWhole && after.Records >= before.Records && (isLarger || IsRewritten(after));
 }
 
 } // namespace helios

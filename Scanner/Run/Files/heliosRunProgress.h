@@ -43,7 +43,10 @@ struct LegProgress
 /// Returns whether one can be journaled after the other, of the same leg.
 bool Follows(const LegProgress& before, const LegProgress& after);
 
-/// Returns whether no count has decreased.
+/// Returns whether a file was written anew when it became complete, with all its bytes in one block.
+bool IsRewritten(const FileProgress& file);
+
+/// Returns whether no count has decreased; a file that was written anew may be smaller.
 bool HasGrown(const ScanCounts& before, const ScanCounts& after);
 bool HasGrown(const FileProgress& before, const FileProgress& after);
 

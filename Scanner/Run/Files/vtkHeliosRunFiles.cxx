@@ -15,8 +15,8 @@ vtkStandardNewMacro(vtkHeliosRunFiles);
 namespace
 {
 
-constexpr const char* Formats[] = { "xyz", "las", "laz", "vtp" };
-constexpr int NumberOfFormats = 4;
+constexpr const char* Formats[] = { "xyz", "las", "laz", "copc", "vtp" };
+constexpr int NumberOfFormats = 5;
 
 struct KindOfFile
 {
@@ -26,11 +26,11 @@ struct KindOfFile
 
 /// Kinds in the order of FileKind.
 constexpr KindOfFile Kinds[] = {
-  { "_points", { ".xyz", ".las", ".laz", ".pvtp" } },
-  { "_fullwave", { ".txt", ".las", ".laz", ".pvtt" } },
-  { "_pulse", { ".txt", ".txt", ".txt", ".pvtp" } },
-  { "_hits", { ".pvtp", ".pvtp", ".pvtp", ".pvtp" } },
-  { "_trajectory", { ".txt", ".txt", ".txt", ".pvtp" } },
+  { "_points", { ".xyz", ".las", ".laz", ".copc.laz", ".pvtp" } },
+  { "_fullwave", { ".txt", ".las", ".laz", ".laz", ".pvtt" } },
+  { "_pulse", { ".txt", ".txt", ".txt", ".txt", ".pvtp" } },
+  { "_hits", { ".pvtp", ".pvtp", ".pvtp", ".pvtp", ".pvtp" } },
+  { "_trajectory", { ".txt", ".txt", ".txt", ".txt", ".pvtp" } },
 };
 constexpr std::string_view Leg = "leg";
 constexpr std::string_view Strip = "strip";
@@ -182,7 +182,13 @@ const char* vtkHeliosRunFiles::GetFormat(int index)
 //------------------------------------------------------------------------------
 bool vtkHeliosRunFiles::IsLas(const std::string& format)
 {
-  return format == "las" || format == "laz";
+  return format == "las" || vtkHeliosRunFiles::IsCompressed(format);
+}
+
+//------------------------------------------------------------------------------
+bool vtkHeliosRunFiles::IsCompressed(const std::string& format)
+{
+  return format == "laz" || format == "copc";
 }
 
 //------------------------------------------------------------------------------

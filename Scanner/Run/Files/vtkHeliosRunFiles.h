@@ -70,12 +70,13 @@ public:
 
   ///@{
   /**
-   * Get the formats of a run: "xyz", "las", "laz", "vtp". Null if the index is out of range. IsLas()
-   * returns whether files have records of LAS, compressed or not.
+   * Get the formats of a run: "xyz", "las", "laz", "copc", "vtp". Null if the index is out of range.
+   * IsLas() returns whether files have records of LAS, IsCompressed() whether these are compressed.
    */
   static int GetNumberOfFormats();
   static const char* GetFormat(int index);
   static bool IsLas(const std::string& format);
+  static bool IsCompressed(const std::string& format);
   ///@}
 
   ///@{

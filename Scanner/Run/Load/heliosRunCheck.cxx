@@ -123,7 +123,7 @@ Status RunCheck::CheckBlocks(
 //------------------------------------------------------------------------------
 Status RunCheck::CheckBlock(const FileBlock& block) const
 {
-  const std::string path = this->FindFile(block.Name);
+  const std::string path = block.IsWhole ? this->GetPath(block.Name) : this->FindFile(block.Name);
   const std::string checksum = ComputeChecksum(path, block.Begin, block.End);
   if (checksum == block.Checksum)
   {
@@ -175,7 +175,7 @@ vtkIdType RunCheck::GetSizeWithPieces(const std::string& name) const
   std::string why;
   const fs::path path = this->GetPath(name);
   vtkIdType size = GetSize(path.string(), why);
-  if (path.extension() == ".las")
+  if (path.extension() == ".las" || path.extension() == ".laz")
   {
     return size + std::max<vtkIdType>(0, GetSize(fs::path(path).replace_extension(".wdp"), why));
   }

@@ -16,7 +16,7 @@ NAMES = {
     "pcd": "points.pcd", "vtp": "points.vtp", "pvtp": "points_0000.vtp", "xyz": "points.xyz",
     "e57": "points.e57",
 }  # fmt: skip
-NEEDS = {"laz": ("laspy",), "copc": ("laspy", "copclib"), "e57": ("pye57",)}
+NEEDS = {"e57": ("pye57",)}
 KINDS = {"xyz": "text", "vtp": "mixed", "pvtp": "xml", "ply": "mixed", "pcd": "mixed"}
 
 

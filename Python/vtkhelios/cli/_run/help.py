@@ -21,6 +21,8 @@ points with waveforms, point format 9 or 10, and their samples in legNNN_fullwav
 QGIS refuse these formats. With --waveforms-in-points legNNN_points.las has format 9 or 10, with
 legNNN_points.wdp, and is the only LAS file of the leg. The names of parts and materials are beside
 each LAS file, as legNNN_points.names.json. Other files are text.
+With --format copc: legNNN_points.copc.laz, COPC for viewers and QGIS, made of LAZ at the end of a leg; waveforms
+as with laz.
 With --format vtp: legNNN_points.pvtp, legNNN_trajectory.pvtp, legNNN_fullwave.pvtt and so on, with
 their pieces beside them.
   run_summary.json        versions, inputs with their SHA-256, options, counts and files of every
@@ -74,6 +76,7 @@ examples:
   vtkhelios run survey.xml --no-noise --seed 7 --threads 4 --overwrite
   vtkhelios run survey.xml --format vtp --waveforms      for ParaView and PyVista
   vtkhelios run survey.xml --format las                  for LAS tools
+  vtkhelios run survey.xml --format copc                 for QGIS, Potree and other viewers
   vtkhelios run survey.xml --range-tolerance 0.0002      a surface scanner: 0.2 mm
   vtkhelios run survey.xml --accuracy instrument         within a tenth of the scanner's noise
   vtkhelios run survey.xml --sub-rays 19 --detector gaussian

@@ -16,7 +16,11 @@ TEST_CASE("RunFiles: names of files, by stem, kind, format and channel", "[RunFi
   CHECK(Files::GetFileName("leg007", Files::POINTS, "xyz") == "leg007_points.xyz");
   CHECK(Files::GetFileName("leg007", Files::POINTS, "las", "2") == "leg007_points_dev2.las");
   CHECK(Files::GetFileName("leg007", Files::POINTS, "laz") == "leg007_points.laz");
-  CHECK((Files::IsLas("las") && Files::IsLas("laz") && !Files::IsLas("vtp")));
+  CHECK(Files::GetFileName("leg007", Files::POINTS, "copc") == "leg007_points.copc.laz");
+  CHECK(Files::GetFileName("leg007", Files::WAVEFORMS, "copc", "1") == "leg007_fullwave_dev1.laz");
+  CHECK((Files::IsLas("las") && Files::IsLas("laz") && Files::IsLas("copc")));
+  CHECK((Files::IsCompressed("laz") && Files::IsCompressed("copc")));
+  CHECK_FALSE((Files::IsLas("vtp") || Files::IsCompressed("las")));
   CHECK(Files::GetFileName("leg007", Files::POINTS, "vtp") == "leg007_points.pvtp");
   CHECK(Files::GetFileName("leg007", Files::WAVEFORMS, "las") == "leg007_fullwave.las");
   CHECK(Files::GetFileName("leg007", Files::WAVEFORMS, "vtp") == "leg007_fullwave.pvtt");
@@ -34,8 +38,8 @@ TEST_CASE("RunFiles: names of files, by stem, kind, format and channel", "[RunFi
 
 TEST_CASE("RunFiles: every name is taken apart again", "[RunFiles]")
 {
-  REQUIRE(Files::GetNumberOfFormats() == 4);
-  CHECK(Files::GetFormat(4) == nullptr);
+  REQUIRE(Files::GetNumberOfFormats() == 5);
+  CHECK(Files::GetFormat(5) == nullptr);
   CHECK(Files::GetFormat(-1) == nullptr);
   int count = 0;
   for (const char* stem : { "leg000", "leg1234", "strip042", "stripeast_pulse", "strip_dev" })
@@ -65,6 +69,7 @@ TEST_CASE("RunFiles: every name is taken apart again", "[RunFiles]")
   CHECK(Files::GetNumber("stripeast_points.xyz") == -1);
   CHECK(Files::GetNumber("leg99999999999_points.xyz") == -1);
   CHECK(Files::GetKind("leg012_points.laz") == Files::POINTS);
+  CHECK(Files::GetKind("leg012_points_dev2.copc.laz") == Files::POINTS);
 }
 
 TEST_CASE("RunFiles: other names are not those of a run", "[RunFiles]")

@@ -241,7 +241,7 @@ TEST_CASE("SurveyPlayer: formats and waveforms", "[SurveyPlayer]")
   CHECK_FALSE(fs::exists(files / "out/test/leg000_trajectory.txt"));
 
   playing.Player->SetFormat("doc");
-  playing.CheckFails({ "Format is \"doc\"; give xyz, las, laz or vtp" });
+  playing.CheckFails({ "Format is \"doc\"; give xyz, las, laz, copc or vtp" });
   playing.Player->SetSurvey(nullptr);
   playing.CheckFails({ "Survey is not set" });
 }

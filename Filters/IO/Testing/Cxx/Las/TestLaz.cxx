@@ -349,4 +349,8 @@ TEST_CASE("Laz: damaged files are errors", "[Laz]")
   chunks = { { 300, 1 << 20 } };
   empty = empty.substr(0, table) + helios::EncodeLazTable(chunks);
   CHECK(FailsWith(path, empty, "has chunks of 1048576 bytes in "));
+  chunks.assign(3, { 1, length }); // more chunks than points, where there is room for them
+  empty = empty.substr(0, table) + helios::EncodeLazTable(chunks);
+  SetNumber<std::uint64_t>(empty, 247, 2);
+  CHECK(FailsWith(path, empty, "has chunks with 3 points of the 2 that its header counts"));
 }

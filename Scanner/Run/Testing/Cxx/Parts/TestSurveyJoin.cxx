@@ -145,7 +145,7 @@ TEST_CASE("SurveyJoin: legs", "[SurveyJoin]")
 {
   const Files files;
   const Reading reading(files, Flight, ThreeLegs);
-  CheckJoin(files, reading, { GENERATE("las", "laz", "xyz", "vtp") });
+  CheckJoin(files, reading, { GENERATE("las", "laz", "copc", "xyz", "vtp") });
 }
 
 TEST_CASE("SurveyJoin: parts of an epoch, written by an earlier version", "[SurveyJoin]")
