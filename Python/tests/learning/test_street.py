@@ -194,6 +194,59 @@ def test_rosbag_reads_the_bag(exports):
     assert scan.header.frame_id == "lidar"
 
 
+def test_mcap_has_the_road_below_the_sensor_at_increasing_times(exports):
+    reader = pytest.importorskip("mcap.reader")
+    typesys = pytest.importorskip("rosbags.typesys")
+    store = typesys.get_typestore(typesys.Stores.ROS2_HUMBLE)
+    with open(exports("mcap") / "scans.mcap", "rb") as file:
+        found = [
+            (channel.topic, message.log_time, store.deserialize_cdr(message.data, schema.name))
+            for schema, channel, message in reader.make_reader(file).iter_messages()
+        ]
+    scans = [(time, message) for topic, time, message in found if topic == "/points"]
+    assert len(scans) == SCANS
+    assert np.diff([time for time, _ in scans]) == pytest.approx(1e8, abs=2e3)  # [ns]
+    for time, scan in scans:
+        assert scan.header.stamp.sec * 10**9 + scan.header.stamp.nanosec == time
+        offsets = {field.name: field.offset for field in scan.fields}
+        rows = np.frombuffer(bytes(scan.data), np.uint8).reshape(-1, scan.point_step)
+        z, since = (
+            rows[:, offsets[name] : offsets[name] + 4].copy().view("<f4")[:, 0]
+            for name in ("z", "t")
+        )
+        assert np.count_nonzero(np.abs(z + MOUNT) < 1e-5) > 500
+        assert (np.diff(since) >= 0).all() and since[0] > -1e-9 and since[-1] < 0.1001
+    mounts = [
+        message.transforms[1].transform.translation for topic, _, message in found if topic == "/tf"
+    ]
+    assert len(mounts) == SCANS and all(mount.z == pytest.approx(MOUNT) for mount in mounts)
+
+
+def test_boxes_of_label_2_hold_the_points_of_moving_cars(exports, street):
+    """Points of SemanticKITTI with the label 252, in the boxes of KITTI, both of one scan."""
+    sequence = exports("semantickitti") / "sequences/00"
+    folder = exports("kitti-objects", "--survey", str(street.file)) / "training"
+    cloud = read_points(sequence / "velodyne/000004.bin")
+    assert np.array_equal(cloud, read_points(folder / "velodyne/000004.bin"))
+    words = np.fromfile(sequence / "labels/000004.label", np.uint32)
+    rows = [line.split() for line in (folder / "label_2/000004.txt").read_text().splitlines()]
+    boxes = [[*map(float, row[8:])] for row in rows if row[0] == "Car"]
+    # The camera of the export looks along x of the sensor: x right, y down, z forward.
+    x, y, z = cloud[:, :3].T.astype(float)
+    camera = np.array([-y, -z, x])
+    cars = np.unique(words[(words & 0xFFFF) == 252])
+    assert len(cars) == 2
+    for car in cars:
+        shares = []
+        for height, width, length, *place, turn in boxes:
+            cosine, sine = np.cos(turn), np.sin(turn)
+            away = camera[:, words == car] - np.array(place)[:, None]
+            along, across = cosine * away[0] - sine * away[2], sine * away[0] + cosine * away[2]
+            inside = (np.abs(along) < length / 2 + 0.05) & (np.abs(across) < width / 2 + 0.05)
+            shares.append(np.mean(inside & (away[1] < 0.01) & (away[1] > -height - 0.01)))
+        assert sorted(shares)[-2:] == [0.0, 1.0]  # one box has all of them
+
+
 def call(capsys, *arguments):
     code = cli.main(["export", *map(str, arguments)])
     return code, capsys.readouterr().err
