@@ -24,16 +24,16 @@ HELIOS_INLINE Floats GetSteps(const Floats& length, float steps)
 {
   constexpr float smallest = 0x1p-100f; // smaller ones are no shorter in effect
   const Floats least = Max<Floats>(length * ((1 + 0x1p-20f) / steps), Floats() + smallest);
-  const ShortMasks bits = reinterpret_cast<const ShortMasks&>(least);
+  const ShortMasks bits = reinterpret_cast<ShortMasks>(least);
   const ShortMasks next = (bits & 0x7f800000) + 0x00800000;
-  return reinterpret_cast<const Floats&>(next);
+  return reinterpret_cast<Floats>(next);
 }
 
 /// Returns the inverse of powers of two.
 HELIOS_INLINE Floats GetInverse(const Floats& steps)
 {
-  const ShortMasks bits = (254 << 23) - reinterpret_cast<const ShortMasks&>(steps);
-  return reinterpret_cast<const Floats&>(bits);
+  const ShortMasks bits = (254 << 23) - reinterpret_cast<ShortMasks>(steps);
+  return reinterpret_cast<Floats>(bits);
 }
 
 HELIOS_INLINE int PackNumbers(const Floats& numbers)
