@@ -105,7 +105,9 @@ class _Run:
         self._start, self._seconds, self._skipped = time.process_time(), seconds, []
         self._latest = 0.0  # processor time of the latest step [s]
         names = vtk_class("vtkHeliosRunOptions").GetModelPartNames().split() if parts else []
-        self._model_parts = names
+        self._model_parts = sorted(
+            names, key=lambda name: name != "partMotion"
+        )  # first, if parts move
         self._step = _Steps(on_step, self._count_steps())
         self._step.begin("drawing pulses")
         self._source = survey.source_of(options)
