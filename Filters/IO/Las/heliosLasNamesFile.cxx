@@ -57,6 +57,10 @@ Status LasNamesFile::Finish(vtkIdType points)
   if (this->Count == 0 && this->IsResumed)
   {
     Status status = ReadPointNames(this->GetPart(), 0, this->Names);
+    if (!status.IsOk()) // the run ended while it wrote the names of the whole file
+    {
+      status = ReadPointNames(this->GetPart(), points, this->Names);
+    }
     if (status.IsOk() && CountPointNames(this->Names) == 0)
     {
       status = ReadPointNames(this->Path, points, this->Names);

@@ -8,11 +8,12 @@ import shutil
 
 import numpy as np
 import pytest
-from _point_files import read, write
-
 import vtkhelios
+from _point_files import read, write
 from vtkhelios import cli, formats
 from vtkhelios.array_names import MATERIAL_IDS, MATERIAL_NAME, PART_IDS
+from vtkhelios.core.classes import vtk_class
+from vtkhelios.formats._base import to_cloud
 
 pytest.importorskip("lazrs")
 PARTS, MATERIALS = ["ground", "größtes Haus", "", 'a "b"'], ["grass", "brick"]
@@ -200,3 +201,21 @@ def test_moved_files_of_the_other_kind_have_the_names(tmp_path, convert):
     convert(tmp_path / "a.las", tmp_path / "b" / "a.laz")
     shutil.copy(tmp_path / "a.names.json", tmp_path / "b" / "a.names.json")
     assert names_of(read(tmp_path / "b" / "a.laz")[0]) == (PARTS, MATERIALS)
+
+
+def test_names_of_a_run_that_ended_while_it_wrote_them(tmp_path):
+    """They have the number of points already, and not yet their name."""
+    path = tmp_path / "a.laz"
+    writer = vtk_class("vtkHeliosLASWriter")()
+    writer.SetFileName(str(path))
+    writer.SetWriteCompressed(True)
+    assert writer.Open() and writer.Write(to_cloud(make_chunk(), make_header()))
+    assert writer.EndBlock()
+    state = writer.GetFileSize(), writer.GetNumberOfRecords(), writer.GetNumberOfBytes()
+    assert writer.Close()
+    expected = (tmp_path / "a.names.json").read_bytes()
+    path.rename(tmp_path / "a.laz.part")
+    (tmp_path / "a.names.json").rename(tmp_path / "a.names.json.part")
+    assert writer.Reopen(*state) and writer.Close()
+    assert (tmp_path / "a.names.json").read_bytes() == expected
+    assert not (tmp_path / "a.names.json.part").exists()
