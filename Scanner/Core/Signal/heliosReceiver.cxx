@@ -453,10 +453,6 @@ void Receiver::MakeClusters(Iterator begin, Iterator end)
   const double slotsPerTime = 0.5 * scale / PulseCluster::Reach;
   const double margin = this->Margin;
   this->Clusters.clear();
-  if (!this->ManyClusters.empty())
-  {
-    this->ManyClusters.clear();
-  }
   PulseCluster none{ -1, 0.0, 0.0, 0.0 };
   PulseCluster* cluster = &none; // the next sub-ray often has the same time
   double nearest = 0.0;
@@ -495,31 +491,41 @@ void Receiver::MakeClusters(Iterator begin, Iterator end)
     high += powers * (away2 * away2);
   }
   keep();
+  this->ForgetPlaces();
   std::sort(this->Clusters.begin(), this->Clusters.end(),
     [](const PulseCluster& a, const PulseCluster& b) { return a.Slot < b.Slot; });
+}
+
+//------------------------------------------------------------------------------
+/// Clears the places of the clusters by slot.
+void Receiver::ForgetPlaces()
+{
+  for (const PulseCluster& cluster : this->Clusters)
+  {
+    if (cluster.Slot >= 0 && cluster.Slot < static_cast<vtkIdType>(this->NearClusters.size()))
+    {
+      this->NearClusters[static_cast<std::size_t>(cluster.Slot)] = -1;
+    }
+  }
+  if (!this->FarClusters.empty())
+  {
+    this->FarClusters.clear();
+  }
 }
 
 //------------------------------------------------------------------------------
 /// Returns the cluster of a slot.
 PulseCluster& Receiver::GetCluster(vtkIdType slot)
 {
-  constexpr std::size_t few = 32; // are found faster one by one
-  const std::size_t count = this->Clusters.size();
-  for (std::size_t i = std::min(count, few); i-- > 0;) // the last one is the likeliest
+  const auto count = static_cast<int>(this->Clusters.size());
+  const bool isNear = slot >= 0 && slot < static_cast<vtkIdType>(this->NearClusters.size());
+  int& place = isNear ? this->NearClusters[static_cast<std::size_t>(slot)]
+                      : this->FarClusters.try_emplace(slot, -1).first->second;
+  if (place >= 0)
   {
-    if (this->Clusters[i].Slot == slot)
-    {
-      return this->Clusters[i];
-    }
+    return this->Clusters[static_cast<std::size_t>(place)];
   }
-  if (count >= few)
-  {
-    const auto [place, isNew] = this->ManyClusters.try_emplace(slot, count);
-    if (!isNew)
-    {
-      return this->Clusters[place->second];
-    }
-  }
+  place = count;
   this->Clusters.push_back(
     { slot, this->DetectionShape.GetSlotTime(slot), VTK_DOUBLE_MAX, -VTK_DOUBLE_MAX });
   return this->Clusters.back();

@@ -177,6 +177,7 @@ private:
   bool OpenWindow(double nearest, double farthest, double widening, double binSize);
   BinRange GetWindow() const { return { 0, static_cast<vtkIdType>(this->Wave.Samples.size()) }; }
   void MakeClusters(Iterator begin, Iterator end);
+  void ForgetPlaces();
   PulseCluster& GetCluster(vtkIdType slot);
   BinRange GetBinsOfMaxima(
     const PulseCluster& first, const PulseCluster& last, double binSize) const;
@@ -204,7 +205,8 @@ private:
   double Margin = 0.0;     // from the start of the window to the peak of the nearest return [ns]
   std::vector<double> Sum; // sums in the filled samples of the waveform
   std::vector<PulseCluster> Clusters;
-  std::unordered_map<vtkIdType, std::size_t> ManyClusters; // by slot, those after the first few
+  std::vector<int> NearClusters = std::vector<int>(256, -1); // places of clusters by slot; -1: none
+  std::unordered_map<vtkIdType, int> FarClusters;            // of slots beyond
   bool WasCut = false;
   bool IsSorted = false;         // whether the returns are, by range
   std::vector<SubReturn> Sorted; // many returns, or returns too far apart for one window

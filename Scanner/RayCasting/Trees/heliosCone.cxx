@@ -106,8 +106,25 @@ bool EntersCone(const double a[3], const double b[3], double tangent, double rea
   return isInside(first) || isInside(last) || (hasMinimum && isInside(-f1 / f2));
 }
 
+double GetSineSquare(double tangent)
+{
+  return tangent * tangent / (1 + tangent * tangent);
+}
+
 } // namespace
 
+ConeSlopes::ConeSlopes(double x, double along, double tangent)
+{
+  // The planes x = f z that touch the cone: (w_x - f w_z)^2 = sin^2 (1 + f^2).
+  const double sineSquare = GetSineSquare(tangent);
+  const double a = along * along - sineSquare;
+  const double root =
+    std::sqrt(sineSquare * std::max(0.0, x * x + along * along - sineSquare)) * (1 + Margin);
+  this->Low = (x * along - root) / a - Error;
+  this->High = (x * along + root) / a + Error;
+}
+
+//------------------------------------------------------------------------------
 Cone::Cone(const double origin[3], const double axis[3], double tanHalfAngle)
   : Origin(origin)
   , Tangent(tanHalfAngle)
@@ -152,8 +169,7 @@ bool Cone::SetHull(const BeamTree& tree, const RayAxes& hullAxes, double error, 
   LeafFilter& filter) const
 {
   const double* w = this->Frame[2];
-  const double sineSquare = this->Tangent * this->Tangent / (1 + this->Tangent * this->Tangent);
-  if (!(sineSquare < Widest))
+  if (!(GetSineSquare(this->Tangent) < Widest))
   {
     return false;
   }
@@ -164,13 +180,9 @@ bool Cone::SetHull(const BeamTree& tree, const RayAxes& hullAxes, double error, 
   double slopeLow[2], slopeHigh[2];
   for (int i = 0; i < 2; ++i)
   {
-    // The planes x = f z that touch the cone: (w_x - f w_z)^2 = sin^2 (1 + f^2).
-    const double x = w[axes[i]];
-    const double a = along * along - sineSquare;
-    const double root =
-      std::sqrt(sineSquare * std::max(0.0, x * x + along * along - sineSquare)) * (1 + Margin);
-    slopeLow[i] = (x * along - root) / a - Error;
-    slopeHigh[i] = (x * along + root) / a + Error;
+    const ConeSlopes slopes(w[axes[i]], along, this->Tangent);
+    slopeLow[i] = slopes.Low;
+    slopeHigh[i] = slopes.High;
   }
   const double origin[3] = { this->Origin[axes[0]], this->Origin[axes[1]], this->Origin[axes[2]] };
   if (!tree.SetFrustum(hull, origin, origin, slopeLow, slopeHigh, error))

@@ -13,6 +13,15 @@ namespace helios
 class LeafFilter;
 class PlacedTree;
 
+/// The slopes x / z of the planes that touch a cone about a unit axis with the parts x and along on z,
+/// rounded outwards; the cone is narrower than along.
+struct ConeSlopes
+{
+  ConeSlopes(double x, double along, double tangent);
+
+  double Low, High;
+};
+
 /// A triangle in the frame of a cone: the apex is the origin, the axis is z.
 struct ConeCandidate
 {

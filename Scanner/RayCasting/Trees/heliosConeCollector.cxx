@@ -22,50 +22,86 @@ public:
   template <typename UseT>
   void Add(const PlacedTree& placed, vtkTypeInt32 triangle, UseT use)
   {
+    if (this->Size == 0 || !placed.IsSame(this->Placed))
+    {
+      this->Finish(use);
+      this->Placed = placed;
+    }
     placed.GetTree().PrefetchNumbers(triangle);
-    this->At(this->Size) = { placed, triangle };
-    this->Advance(this->Size++, use);
+    this->Triangles[this->Size++ % Capacity] = triangle;
+    this->Advance(this->Size, use);
   }
 
   /// Uses those that are left.
   template <typename UseT>
   void Finish(UseT use)
   {
-    for (std::size_t i = 0; i < 2 * Step; ++i)
+    for (std::size_t i = 1; i <= 2 * Step && this->Used < this->Size; ++i)
     {
       this->Advance(this->Size + i, use);
     }
+    this->Size = 0;
+    this->Used = 0;
   }
 
 private:
-  struct Entry
-  {
-    PlacedTree Placed;
-    vtkTypeInt32 Triangle;
-  };
-
   static constexpr std::size_t Step = 16;
-
-  Entry& At(std::size_t i) { return this->Entries[i % (2 * Step + 1)]; }
+  static constexpr std::size_t Capacity = 64; ///< more than two steps, and a power of two
 
   template <typename UseT>
-  void Advance(std::size_t last, UseT use)
+  void Advance(std::size_t now, UseT use)
   {
-    if (last >= Step && last - Step < this->Size)
+    if (now > Step && now - Step <= this->Size)
     {
-      const Entry& entry = this->At(last - Step);
-      entry.Placed.GetTree().PrefetchPoints(entry.Triangle);
+      this->Placed.GetTree().PrefetchPoints(this->Triangles[(now - Step - 1) % Capacity]);
     }
-    if (last >= 2 * Step && last - 2 * Step < this->Size)
+    if (now > 2 * Step)
     {
-      const Entry& entry = this->At(last - 2 * Step);
-      use(entry.Placed, entry.Triangle);
+      use(this->Placed, this->Triangles[this->Used++ % Capacity]);
     }
   }
 
+  PlacedTree Placed; ///< the tree of all
   std::size_t Size = 0;
-  Entry Entries[2 * Step + 1];
+  std::size_t Used = 0;
+  vtkTypeInt32 Triangles[Capacity];
 };
+
+HELIOS_INLINE void Turn(const Rotation& rotation, const Doubles from[3], Doubles to[3])
+{
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    const auto& row = rotation.M[axis];
+    to[axis] = row[0] * from[0] + row[1] * from[1] + row[2] * from[2];
+  }
+}
+
+/// Moves points in lanes to the scene, as Similarity::Apply() does.
+HELIOS_INLINE void Apply(const Similarity& place, Doubles p[3])
+{
+  if (place.HasPivot)
+  {
+    Doubles q[3];
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      q[axis] = p[axis] - place.Pivot[axis];
+    }
+    Turn(place.Turn, q, p);
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      p[axis] = place.Pivot[axis] + p[axis];
+    }
+  }
+  else if (place.HasRotation)
+  {
+    const Doubles q[3] = { p[0], p[1], p[2] };
+    Turn(place.Turn, q, p);
+  }
+  for (int axis = 0; axis < 3; ++axis)
+  {
+    p[axis] = p[axis] * place.Scale + place.Translation[axis];
+  }
+}
 
 } // namespace
 
@@ -106,9 +142,17 @@ void ConeCollector::Add(
   const PlacedTree& placed, vtkTypeInt32 triangle, double nearest, ConeView& view)
 {
   Block& block = this->Waiting;
+  if (block.Size > 0 && !placed.IsSame(block.Placed))
+  {
+    this->AddBlock(nearest, view);
+  }
+  if (block.Size == 0)
+  {
+    block.Placed = placed;
+  }
   double buffer[3][3];
   const double* points[3];
-  placed.GetPoints(triangle, buffer, points);
+  placed.GetTree().GetPoints(triangle, buffer, points);
   for (int corner = 0; corner < 3; ++corner)
   {
     for (int axis = 0; axis < 3; ++axis)
@@ -124,7 +168,7 @@ void ConeCollector::Add(
 }
 
 //------------------------------------------------------------------------------
-/// Moves the corners of a block to the frame of the cone, and tests them.
+/// Moves the corners of a block from the frame of its tree to that of the cone, and tests them.
 HELIOS_CLONES
 void ConeCollector::Test(Block& block, double nearest) const
 {
@@ -140,7 +184,15 @@ void ConeCollector::Test(Block& block, double nearest) const
     Doubles p[3];
     for (int axis = 0; axis < 3; ++axis)
     {
-      p[axis] = Load<Doubles>(corner[axis]) - origin[axis];
+      p[axis] = Load<Doubles>(corner[axis]);
+    }
+    if (block.Placed.IsMoved())
+    {
+      Apply(block.Placed.GetPlace(), p);
+    }
+    for (int axis = 0; axis < 3; ++axis)
+    {
+      p[axis] = p[axis] - origin[axis];
     }
     Doubles q[3];
     for (int axis = 0; axis < 3; ++axis)

@@ -7,6 +7,7 @@
 
 #include "heliosCone.h"
 #include "heliosConeView.h"
+#include "heliosPlacedTree.h"
 #include "heliosTriangleTest.h"
 
 #include <cstddef>
@@ -25,14 +26,16 @@ public:
   bool Run(const SceneTree& scene, double nearest, std::size_t maximum, ConeView& view);
 
 private:
-  /// Triangles that are tested together.
+  /// Triangles of one tree that are tested together.
   struct Block
   {
     static constexpr int Width = 4;
     int Size = 0;
+    PlacedTree Placed;
     vtkIdType Cells[Width];
-    double Corners[3][3][Width] = {}; ///< by corner and axis
-    long long IsBeside[Width];        ///< or too near
+    double Corners[3][3]
+                  [Width] = {}; ///< by corner and axis; before the test in the frame of the tree
+    long long IsBeside[Width];  ///< or too near
     long long HasCornerInside[Width];
   };
   void Add(const PlacedTree& placed, vtkTypeInt32 triangle, double nearest, ConeView& view);

@@ -107,10 +107,6 @@ bool Cones::SetBounds(const RayAxes& axes, bool isForward, double low[3], double
     const double along = sign * cone.Axis[axes.Z];
     const double largest = std::max(std::abs(cone.Axis[axes.X]), std::abs(cone.Axis[axes.Y]));
     areUsable = areUsable && largest <= SteepestSlope * along;
-    const double inverse = 1.0 / along;
-    // In the cone the axis is off by up to the tangent times its length.
-    const double rim = this->Tangent * std::sqrt(largest * largest * 2 + along * along) * inverse;
-    const double spread = rim * (1 + 2 * SteepestSlope) / (1 - 2 * rim) + 0x1p-40;
     for (int axis = 0; axis < 3; ++axis)
     {
       low[axis] = std::min(low[axis], cone.Origin[places[axis]]);
@@ -118,9 +114,9 @@ bool Cones::SetBounds(const RayAxes& axes, bool isForward, double low[3], double
     }
     for (int axis = 0; axis < 2; ++axis)
     {
-      const double slope = cone.Axis[places[axis]] * inverse;
-      slopeLow[axis] = std::min(slopeLow[axis], slope - spread);
-      slopeHigh[axis] = std::max(slopeHigh[axis], slope + spread);
+      const ConeSlopes slopes(cone.Axis[places[axis]], along, this->Tangent);
+      slopeLow[axis] = std::min(slopeLow[axis], slopes.Low);
+      slopeHigh[axis] = std::max(slopeHigh[axis], slopes.High);
     }
   }
   return areUsable;

@@ -44,6 +44,12 @@ public:
   /// Returns whether it is an instance that moves over time.
   bool HasMotion() const { return this->Instance && this->Instance->Motion >= 0; }
 
+  /// Returns whether another one is the same tree at the same place.
+  bool IsSame(const PlacedTree& other) const
+  {
+    return this->Tree == other.Tree && this->Instance == other.Instance;
+  }
+
   /// Returns whether the tree has a frame of its own, unlike the scene's.
   bool IsMoved() const { return this->HasFrame; }
 
