@@ -330,6 +330,7 @@ void PrepareAdaptiveBeam(vtkHeliosBeamSampler* sampler, ScanModel& model)
   {
     model.Footprints.IsCrowd = [plan = model.Plan](std::size_t surfaces, double layers)
     { return surfaces > plan.MaximumSurfaces || plan.PrefersCells(surfaces, layers); };
+    model.Footprints.PairTilt = model.Plan.PairTilt;
   }
 
   model.SubRays = MakeSpiral(CopyBeam(sampler), model.Plan.NumberOfSubRays);

@@ -48,6 +48,12 @@ public:
   /// Collects the surfaces in the beam of a pulse; false if they can only be met by rays.
   bool CollectSurfaces(const Pulse& pulse);
 
+  /// Returns whether the surfaces collected last are known to be neither one plane nor one layer.
+  bool AreSurfacesMixed() const
+  {
+    return this->Surfaces.IsMixed(this->Model.ConeTangent, this->Model.Plan.GetLargestDistance());
+  }
+
   /// Replaces returns by those behind a flat mirror or pane that fills the beam of a pulse as a layer;
   /// false if they have to be found by sampling.
   bool PassLayer(const Pulse& pulse, const ConeLayer& layer, std::vector<SubReturn>& returns,

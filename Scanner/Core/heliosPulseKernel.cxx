@@ -166,15 +166,27 @@ void PulseKernel::RunFixed(std::size_t slot)
 PulseKernel::Cone PulseKernel::ProbeCone(std::size_t slot)
 {
   const Pulse& pulse = this->Pulses[slot];
+  this->IsCollected = false;
   Cone cone{ { vtkHeliosConeHit::Unresolved, -1, 0.0 }, this->Model.MayHitTurbidVoxels(pulse),
     false, {} };
   if (this->Model.Path.Beam == BeamPath::ConeFirst && !cone.MayHitTurbidVoxels &&
-    !this->Resolve(pulse, this->Groups.FindOnly(slot), cone))
+    !this->Resolve(pulse, this->Groups.FindOnly(slot), cone) && !this->FindMixedCrowd(pulse))
   {
     this->Resolve(pulse, this->Model.ProbeCone(pulse, this->Layer, this->Groups.Get(slot)), cone);
     cone.HasLayer = this->Layer.Size > 0;
   }
   return cone;
+}
+
+//------------------------------------------------------------------------------
+/// Collects the surfaces in the beam of a pulse after one in leaves; returns whether they are known to be
+/// mixed, so that a cone test would not resolve them.
+bool PulseKernel::FindMixedCrowd(const Pulse& pulse)
+{
+  const bool isExpected = std::exchange(this->IsInCrowd, false);
+  this->IsCollected = isExpected && this->Tracer.CollectSurfaces(pulse);
+  this->IsInCrowd = this->IsCollected && this->Tracer.AreSurfacesMixed();
+  return this->IsInCrowd;
 }
 
 //------------------------------------------------------------------------------
@@ -242,11 +254,12 @@ void PulseKernel::RunAdaptive(std::size_t slot)
   }
   const auto castLevel = [&](int level)
   { return this->Tracer.CastLevel(pulse, level, this->Counts); };
-  if (!this->Model.Cones || !this->Tracer.CollectSurfaces(pulse))
+  if (!this->Model.Cones || !(this->IsCollected || this->Tracer.CollectSurfaces(pulse)))
   {
     this->Refine(pulse, castLevel);
     return;
   }
+  this->IsInCrowd = this->Tracer.AreSurfacesMixed();
   if (this->Tracer.HasOptics())
   {
     this->RunOnOptics(pulse, false);

@@ -72,6 +72,7 @@ private:
   void MoveTo(std::size_t slot);
   void CountFaults(const Pulse& pulse, vtkIdType index);
   Cone ProbeCone(std::size_t slot);
+  bool FindMixedCrowd(const Pulse& pulse);
   bool Resolve(const Pulse& pulse, const vtkHeliosConeHit& hit, Cone& cone);
   Incidence GetIncidence(const Pulse& pulse, const vtkHeliosConeHit& hit);
   bool IsExact(const Incidence& plane, double range) const;
@@ -138,6 +139,9 @@ private:
   unsigned char EdgeOfFlightLine = 0;
   Vec3 Velocity{ 0.0, 0.0, 0.0 }; ///< velocity of its origin, if requested
   ConeLayer Layer;
+  bool IsCollected =
+    false;                ///< whether the surfaces in its beam are known before the cone is tested
+  bool IsInCrowd = false; ///< whether it, or the one before it, is known to be in leaves
   std::vector<SubReturn> Returns;
   std::vector<CastSubRay> SubRays;
   std::vector<Echo> Echoes;

@@ -26,6 +26,9 @@ constexpr int MaximumSubRays = 4096;
 constexpr double RimShare = 0.15;   // share of the tolerances
 constexpr double MinimumRim = 3e-3; // narrower ones save little
 constexpr double MaximumRim = 1.5e-2;
+// The response of leaves of two triangles errs by less than their tilt, times their share of the beam.
+constexpr double FinestPairs = 0.01;    // energy tolerance for which they are two surfaces
+constexpr double PairShare = 0.03;      // tilt [rad], in the tolerance
 constexpr double MergedDistance = 0.1;  // distance of parts that are one echo [m], typically
 constexpr double CoarseRange = 5e-3;    // [m], from which the maxima of bins will do
 constexpr double WideRange = 2e-2;      // [m], for which wider bins will do
@@ -101,7 +104,7 @@ struct CellLaw
   double Range; ///< [m]
   double Cells, Power;
 };
-constexpr CellLaw CellsForRange[] = { { 0.01, 126.0, 0.9 }, { 1e-3, 440.0, 0.54 },
+constexpr CellLaw CellsForRange[] = { { 0.01, 126.0, 1.05 }, { 1e-3, 440.0, 0.54 },
   { 0.0, 440.0, 0.7 } };
 constexpr double CellsForEnergy = 75.0; // at 1 %
 constexpr double CellPower = 0.62;
@@ -168,15 +171,19 @@ SamplingPlan PlanSampling(const Tolerances& tolerances, double sigma)
   SetCells(tolerances, plan);
   SetSurfaceRules(tolerances, sigmaRange, plan);
   const double h = std::sqrt(0.5 * rangeTolerance / (BinRangeLaw * sigmaRange));
-  // For 4 ns, at least as fine as 0.25 ns, and 0.43 ns for the widest tolerances. The maxima of the
-  // former are within 0.3 mm of those of the sum (95th percentile, a stand of trees).
-  plan.DetectionBin = sigma * std::clamp(h, 0.03, rangeTolerance < WideRange ? 0.15 : 0.25);
+  // For 4 ns, at least as fine as 0.25 ns, and 0.43 and 0.68 ns for wide tolerances. The maxima of the
+  // first are within 0.3 mm of those of the sum (95th percentile, a stand of trees).
+  const double widest = rangeTolerance < CoarseRange ? 0.15
+    : rangeTolerance < WideRange                     ? 0.25
+                                                     : 0.4;
+  plan.DetectionBin = sigma * std::clamp(h, 0.03, widest);
   plan.MaximumRefined = rangeTolerance < CoarseRange ? plan.MaximumRefined : FewReturns;
   // Two returns have the mean and variance of a part. What is left: with its fourth moment the
   // amplitude errs by 0.0007 d^4, with its third one the range by up to 0.0037 d^3 sigma_R. Beyond
   // 1.2 the gaps between parts would show.
   plan.LargestDepth = std::min({ 1.2, std::pow(energyTolerance / (4 * 0.0007), 0.25),
     std::cbrt(rangeTolerance / (4 * 0.0037 * sigmaRange)) });
+  plan.PairTilt = energyTolerance > FinestPairs ? PairShare * energyTolerance : 0.0;
   const double merged = std::min(energyTolerance, rangeTolerance / MergedDistance);
   plan.PartError = std::clamp(3e-4 * merged, 1e-6, 3e-5);
   plan.RimEnergy = RimShare * merged < MinimumRim ? 0.0 : std::min(RimShare * merged, MaximumRim);

@@ -50,6 +50,7 @@ struct SamplingPlan
   double DetectionBin = 0.25; ///< [ns]
   /// returns of a beam whose maxima are found beyond those of the bins
   std::size_t MaximumRefined = std::numeric_limits<std::size_t>::max();
+  double PairTilt = 0.0; ///< tilt between two triangles that are drawn as one [rad]; 0: none are
   double LargestDepth = 1.0;    ///< depth of a visible part that is two returns, in sigma_R
   double RimEnergy = 0.0;       ///< energy of the rim of a divided beam, left out; a fraction
   double PartError = 1e-6;      ///< error of the energy of a small part, as a fraction of the beam

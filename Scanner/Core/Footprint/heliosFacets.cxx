@@ -44,10 +44,10 @@ bool IsBeforeApex(const ConeTriangle& t)
 }
 
 /// Returns whether the normals of two planes are parallel: otherwise their responses differ.
-bool AreParallel(const double a[3], const double b[3])
+bool AreParallel(const double a[3], const double b[3], double tilt = LargestTilt)
 {
   const double along = Dot(a, b);
-  return along * along >= (1.0 - LargestTilt * LargestTilt) * Dot(a, a) * Dot(b, b);
+  return along * along >= (1.0 - tilt * tilt) * Dot(a, a) * Dot(b, b);
 }
 
 /// Returns a triangle as a facet; turned by its sign.
@@ -176,6 +176,35 @@ bool IsConvex(const Facet& facet, const double normal[3])
   return true;
 }
 
+/// Finds the edge that two triangles share; false if there is none.
+bool FindPair(const ConeTriangle& a, const ConeTriangle& b, FacetMaker::Pair& pair)
+{
+  int places[3] = { -1, -1, -1 }; // of the corners of b in a
+  int shared = 0;
+  for (int i = 0; i < 3; ++i)
+  {
+    for (int k = 0; k < 3 && places[i] < 0; ++k)
+    {
+      places[i] = std::equal(b.Corners[i], b.Corners[i] + 3, a.Corners[k]) ? k : -1;
+    }
+    shared += places[i] >= 0 ? 1 : 0;
+    pair.OfSecond = places[i] < 0 ? i : pair.OfSecond;
+  }
+  if (shared != 2)
+  {
+    return false;
+  }
+  const int after = places[(pair.OfSecond + 1) % 3];
+  const int before = places[(pair.OfSecond + 2) % 3];
+  pair.IsSameWay = after == (before + 1) % 3;
+  const int from = pair.IsSameWay ? before : after;
+  pair.Corners[0] = from;
+  pair.Corners[1] = FacetMaker::Pair::Own;
+  pair.Corners[2] = (from + 1) % 3;
+  pair.Corners[3] = (from + 2) % 3;
+  return before != after;
+}
+
 } // namespace
 
 FacetMaker::FacetMaker(AreAlike areAlike, double tolerance)
@@ -252,6 +281,23 @@ void FacetMaker::Grow(
   {
     facet = convex;
   }
+}
+
+//------------------------------------------------------------------------------
+bool FacetMaker::CanPair(
+  const ConeTriangle& a, const ConeTriangle& b, double tilt, Pair& pair) const
+{
+  if (!this->Alike || !FindPair(a, b, pair))
+  {
+    return false;
+  }
+  Plane plane;
+  double other[3];
+  GetNormal(a, plane.Normal);
+  GetNormal(b, other);
+  plane.Constant = Dot(plane.Normal, a.Corners[0]);
+  return AreParallel(plane.Normal, other, tilt) && IsBeforeApex(a) && IsBeforeApex(b) &&
+    this->IsOn(plane, b.Corners[pair.OfSecond]) && this->Alike(a.Cell, b.Cell);
 }
 
 //------------------------------------------------------------------------------

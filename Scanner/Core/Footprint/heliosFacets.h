@@ -45,6 +45,20 @@ public:
   /// joined.
   FacetMaker(AreAlike areAlike, double tolerance);
 
+  /// Two triangles as one quadrilateral: its corners in order, of the first one but for Own, and the
+  /// corner of the second one that is Own.
+  struct Pair
+  {
+    static constexpr int Own = 3;
+    int Corners[4];
+    int OfSecond;
+    bool IsSameWay; ///< whether both are turned the same way
+  };
+
+  /// Returns whether two triangles share an edge, lie in one plane but for a tilt [rad], and have the
+  /// same response but for that. Their corners may form no convex quadrilateral.
+  bool CanPair(const ConeTriangle& a, const ConeTriangle& b, double tilt, Pair& pair) const;
+
   /// Replaces facets by the facets of the triangles.
   void Make(const ConeView& view, std::vector<Facet>& facets) const;
 

@@ -416,12 +416,14 @@ Footprint::Spread Footprint::GetDepths(const FacePlane& face, const EnergyMoment
 /// Returns the triangle of a facet at a point from the waist.
 vtkIdType Footprint::FindCell(const FacePlane& face, const double point[3]) const
 {
+  const double p[3] = { point[0], point[1], point[2] + this->Projection.ApexOffset };
   if (face.Facet == FacePlane::None)
   {
-    return face.Cell;
+    const bool isSecond =
+      face.Pair != FacePlane::None && !IsInside(p, this->View.Triangles[face.Pair]);
+    return isSecond ? this->View.Triangles[face.Pair + 1].Cell : face.Cell;
   }
   const Facet& facet = this->Facets[face.Facet];
-  const double p[3] = { point[0], point[1], point[2] + this->Projection.ApexOffset };
   for (std::size_t i = facet.First; i + 1 < facet.Last; ++i)
   {
     const ConeTriangle& triangle = this->View.Triangles[i];

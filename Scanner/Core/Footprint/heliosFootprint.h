@@ -45,6 +45,8 @@ struct FootprintSettings
   /// Whether so many surfaces, that cover the beam so often, are sampled; if set, these are not joined
   /// to facets.
   std::function<bool(std::size_t surfaces, double layers)> IsCrowd;
+  /// Largest tilt between two triangles of a crowd that are one surface [rad]; 0: none are.
+  double PairTilt = 0.0;
 };
 
 /// Half space beyond a plane: n . p > c, in the world.
@@ -84,6 +86,10 @@ public:
 
   /// Returns whether the surfaces are a crowd, which can only be sampled.
   bool IsCrowd() const { return this->Crowded.Surfaces > 0; }
+
+  /// Returns whether no cone test within a distance would find one plane or one layer: a corner in the
+  /// beam is before all planes that the axis may meet. Of a crowd only; the tangent is that of the cone.
+  bool IsMixed(double tangent, double distance) const;
 
   /// Returns whether a limit of the range gate lies among the surfaces; not of a crowd.
   bool MeetsGate() const;

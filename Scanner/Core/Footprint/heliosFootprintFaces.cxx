@@ -17,6 +17,7 @@ constexpr double MinimumArea = 1e-12; // area of a face, in the cross-section
 constexpr double Large = 100.0;       // coordinates of a triangle that is added as a facet
 constexpr double Inside = 1.0 - 1e-6; // square of the radius of a corner that is in the beam
 constexpr double LargestTilt = 3e-4;  // [rad], between triangles of one plane
+constexpr double Rounding = 1e-9;     // of depths
 constexpr std::size_t Width = 4;
 
 typedef Doubles Lane;
@@ -58,13 +59,47 @@ struct FootprintFaces::Lanes
   Lane Minimum, Maximum; ///< inverse depths of the corners
   Lane Area;             ///< twice the area, positive if counterclockwise
   Lane Box;              ///< area of an ellipse in the box about it and the beam
+  Lane
+    NearestOnAxis; ///< largest inverse depth of the plane about the axis, if it may meet that; or 0
   LaneMasks IsLarge;
   LaneMasks IsFace;
 
   HELIOS_INLINE void Set(
     const ConeTriangle* triangles, std::size_t size, const BeamEllipse& ellipse, double tangent);
+  HELIOS_INLINE void SetNearestOnAxis();
   HELIOS_INLINE void SetPlane(const Lane p[3][3], double tangent);
 };
+
+/// A triangle or quadrilateral in the cross-section.
+struct FootprintFaces::Outline
+{
+  int Size = 0;
+  double X[4], Y[4];
+  double Slopes[4];  ///< slopes of the edges from each corner
+  double Area = 0.0; ///< as of lanes
+  FacePlane Plane;
+  std::size_t Index = 0; ///< in the view
+
+  HELIOS_INLINE void Set(const Lanes& lanes, std::size_t lane, vtkIdType cell, std::size_t index);
+};
+
+HELIOS_INLINE void FootprintFaces::Outline::Set(
+  const Lanes& lanes, std::size_t lane, vtkIdType cell, std::size_t index)
+{
+  this->Size = 3;
+  for (int corner = 0; corner < 3; ++corner)
+  {
+    this->X[corner] = lanes.X[corner][lane];
+    this->Y[corner] = lanes.Y[corner][lane];
+    this->Slopes[corner] = lanes.Slopes[corner][lane];
+  }
+  this->Area = lanes.Area[lane];
+  this->Plane.Inverse = { lanes.GX[lane], lanes.GY[lane], lanes.One[lane] };
+  this->Plane.Minimum = lanes.Minimum[lane];
+  this->Plane.Maximum = lanes.Maximum[lane];
+  this->Plane.Cell = cell;
+  this->Index = index;
+}
 
 //------------------------------------------------------------------------------
 HELIOS_INLINE void FootprintFaces::Lanes::Set(
@@ -119,6 +154,7 @@ HELIOS_INLINE void FootprintFaces::Lanes::Set(
   this->Box = share * Most(Lane(), Least(Lane() + 1.0, high[0]) - Most(Lane() - 1.0, low[0])) *
     Most(Lane(), Least(Lane() + 1.0, high[1]) - Most(Lane() - 1.0, low[1]));
   this->SetPlane(p, tangent);
+  this->SetNearestOnAxis();
   this->IsFace &= ~this->IsLarge & (Absolute(this->Area) > 2.0 * MinimumArea) &
     (beyond[0] * beyond[0] + beyond[1] * beyond[1] < 1.0);
 }
@@ -142,6 +178,27 @@ HELIOS_INLINE void FootprintFaces::Lanes::SetPlane(const Lane p[3][3], double ta
   this->GX = tangent * n[0] * scale;
   this->GY = tangent * n[1] * scale;
   this->One = n[2] * scale;
+}
+
+/// Finds what the axis may meet, beyond the rounding of the coordinates.
+HELIOS_INLINE void FootprintFaces::Lanes::SetNearestOnAxis()
+{
+  constexpr double error = 1e-6;
+  LaneMasks isLeft = LaneMasks() - 1;
+  LaneMasks isRight = LaneMasks() - 1;
+  for (int k = 0; k < 3; ++k)
+  {
+    const int next = k < 2 ? k + 1 : 0;
+    const Lane edge = this->X[k] * this->Y[next] - this->X[next] * this->Y[k];
+    isLeft &= edge >= -error;
+    isRight &= edge <= error;
+  }
+  const Lane rim = Crowd::Reach * (Absolute(this->GX) + Absolute(this->GY));
+  const Lane plane = this->One + rim;
+  const Lane nearest = this->IsLarge ? plane : Most(this->Maximum, plane);
+  const Lane doubtful = Lane() + HUGE_VAL; // not a number: edge-on
+  const Lane known = nearest >= 0.0 ? nearest : (nearest < 0.0 ? Lane() : doubtful);
+  this->NearestOnAxis = isLeft | isRight | this->IsLarge ? known : Lane();
 }
 
 //------------------------------------------------------------------------------
@@ -186,57 +243,108 @@ void FootprintFaces::Add(const VisibleSurfaces::Face& from)
 }
 
 //------------------------------------------------------------------------------
-/// Adds the triangles of lanes.
-HELIOS_INLINE void FootprintFaces::AddLanes(
-  const ConeTriangle* triangles, const Lanes& lanes, std::size_t size)
+/// Adds a face.
+HELIOS_INLINE void FootprintFaces::AddOutline(const Outline& o)
 {
-  for (std::size_t i = 0; i < size; ++i)
+  Face face;
+  static_cast<FacePlane&>(face) = o.Plane;
+  face.Low = static_cast<float>(std::min({ o.Y[0], o.Y[1], o.Y[2], o.Y[o.Size - 1] }));
+  face.High = static_cast<float>(std::max({ o.Y[0], o.Y[1], o.Y[2], o.Y[o.Size - 1] }));
+  face.FirstLine = static_cast<int>(this->Lines.size());
+  face.Left = 0;
+  face.Right = 0;
+  const bool isTurned = o.Area < 0.0;
+  for (const bool isRight : { false, true })
   {
-    if (lanes.IsFace[i] == 0)
+    for (int edge = 0; edge < o.Size; ++edge)
     {
-      continue;
-    }
-    const double x[3] = { lanes.X[0][i], lanes.X[1][i], lanes.X[2][i] };
-    const double y[3] = { lanes.Y[0][i], lanes.Y[1][i], lanes.Y[2][i] };
-    Face face;
-    face.Inverse = { lanes.GX[i], lanes.GY[i], lanes.One[i] };
-    face.Minimum = lanes.Minimum[i];
-    face.Maximum = lanes.Maximum[i];
-    face.Cell = triangles[i].Cell;
-    face.Low = static_cast<float>(std::min({ y[0], y[1], y[2] }));
-    face.High = static_cast<float>(std::max({ y[0], y[1], y[2] }));
-    face.FirstLine = static_cast<int>(this->Lines.size());
-    face.Left = 0;
-    face.Right = 0;
-    const bool isTurned = lanes.Area[i] < 0.0;
-    for (const bool isRight : { false, true })
-    {
-      for (int edge = 0; edge < 3; ++edge)
+      const int next = edge + 1 < o.Size ? edge + 1 : 0;
+      const bool isUp = o.Y[edge] < o.Y[next];
+      if ((isUp != isTurned) == isRight && o.Y[edge] != o.Y[next])
       {
-        const int next = edge < 2 ? edge + 1 : 0;
-        const bool isUp = y[edge] < y[next];
-        if ((isUp != isTurned) == isRight && y[edge] != y[next])
-        {
-          const int from = isUp ? edge : next;
-          this->Lines.push_back({ static_cast<float>(x[from]), static_cast<float>(y[from]),
-            static_cast<float>(lanes.Slopes[edge][i]) });
-          ++(isRight ? face.Right : face.Left);
-        }
+        const int from = isUp ? edge : next;
+        this->Lines.push_back({ static_cast<float>(o.X[from]), static_cast<float>(o.Y[from]),
+          static_cast<float>(o.Slopes[edge]) });
+        ++(isRight ? face.Right : face.Left);
       }
     }
-    this->Faces.push_back(face);
   }
+  this->Faces.push_back(face);
+}
+
+//------------------------------------------------------------------------------
+/// Sets both to the quadrilateral of two triangles, in the plane of the larger one; false if it is not
+/// convex.
+bool FootprintFaces::Join(
+  const Outline& a, const Outline& b, const FacetMaker::Pair& pair, Outline& both)
+{
+  const bool isTurned = a.Area < 0.0;
+  if (((b.Area < 0.0) == isTurned) != pair.IsSameWay)
+  {
+    return false;
+  }
+  const int own = pair.OfSecond;
+  const int before = own > 0 ? own - 1 : 2;
+  for (int i = 0; i < 4; ++i)
+  {
+    const int corner = pair.Corners[i];
+    const bool isOwn = corner == FacetMaker::Pair::Own;
+    both.X[i] = isOwn ? b.X[own] : a.X[corner];
+    both.Y[i] = isOwn ? b.Y[own] : a.Y[corner];
+    both.Slopes[i] = i == 0 ? b.Slopes[pair.IsSameWay ? before : own]
+      : i == 1              ? b.Slopes[pair.IsSameWay ? own : before]
+                            : a.Slopes[corner];
+  }
+  const auto turns = [&both, isTurned](int from, int at, int to)
+  {
+    const double turn = (both.X[at] - both.X[from]) * (both.Y[to] - both.Y[at]) -
+      (both.X[to] - both.X[at]) * (both.Y[at] - both.Y[from]);
+    return isTurned ? turn < 0.0 : turn > 0.0;
+  };
+  if (!turns(3, 0, 1) || !turns(1, 2, 3))
+  {
+    return false;
+  }
+  both.Size = 4;
+  both.Area = a.Area + (pair.IsSameWay ? b.Area : -b.Area);
+  both.Plane = std::abs(a.Area) >= std::abs(b.Area) ? a.Plane : b.Plane;
+  both.Plane.Cell = a.Plane.Cell;
+  both.Plane.Pair = a.Index;
+  both.Plane.Minimum = std::min(a.Plane.Minimum, b.Plane.Minimum);
+  both.Plane.Maximum = std::max(a.Plane.Maximum, b.Plane.Maximum);
+  return true;
+}
+
+//------------------------------------------------------------------------------
+/// Adds the face of the last triangle and another one, or of the last one; the other may still pair.
+HELIOS_INLINE void FootprintFaces::AddNext(
+  const ConeView& view, const PairRule& pairs, const Outline& next, Outline& last)
+{
+  FacetMaker::Pair pair;
+  Outline both;
+  const bool isPair = pairs.Tilt > 0.0 && last.Size > 0 && last.Index + 1 == next.Index &&
+    pairs.Maker.CanPair(view.Triangles[last.Index], view.Triangles[next.Index], pairs.Tilt, pair) &&
+    Join(last, next, pair, both);
+  if (last.Size > 0)
+  {
+    this->AddOutline(isPair ? both : last);
+  }
+  last = next;
+  last.Size = isPair ? 0 : last.Size;
 }
 
 //------------------------------------------------------------------------------
 HELIOS_CLONES
-Crowd FootprintFaces::AddTriangles(
-  const ConeView& view, const BeamEllipse& ellipse, double tangent, std::vector<Facet>& large)
+Crowd FootprintFaces::AddTriangles(const ConeView& view, const BeamEllipse& ellipse, double tangent,
+  const PairRule& pairs, std::vector<Facet>& large)
 {
   Crowd crowd;
+  Outline outline;
+  Outline waiting; // may pair with the next one
   large.clear();
   double last[3] = { 0.0, 0.0, 0.0 }; // normal
   const std::size_t count = view.Triangles.size();
+  Lane nearestOnAxis = Lane();
   for (std::size_t first = 0; first < count; first += Width)
   {
     const ConeTriangle* triangles = &view.Triangles[first];
@@ -268,6 +376,11 @@ Crowd FootprintFaces::AddTriangles(
           crowd.Farthest = isIn ? std::max(crowd.Farthest, depth) : crowd.Farthest;
         }
       }
+      if (lanes.IsFace[i] != 0)
+      {
+        outline.Set(lanes, i, triangles[i].Cell, first + i);
+        this->AddNext(view, pairs, outline, waiting);
+      }
       if (lanes.IsLarge[i] != 0)
       {
         Facet facet;
@@ -283,8 +396,18 @@ Crowd FootprintFaces::AddTriangles(
         large.push_back(facet);
       }
     }
-    this->AddLanes(triangles, lanes, size);
+    nearestOnAxis = Most(nearestOnAxis, lanes.NearestOnAxis);
   }
+  if (waiting.Size > 0)
+  {
+    this->AddOutline(waiting);
+  }
+  double inverse = 0.0;
+  for (std::size_t i = 0; i < Width; ++i)
+  {
+    inverse = std::max(inverse, nearestOnAxis[i]);
+  }
+  crowd.NearestPlane = inverse > 0.0 ? (1 - Rounding) / inverse : HUGE_VAL;
   return crowd;
 }
 

@@ -7,6 +7,7 @@
 
 #include "heliosBeamEllipse.h"
 #include "heliosConeView.h"
+#include "heliosFacets.h"
 #include "heliosVisibleSurfaces.h"
 #include "vtkHeliosScannerCoreModule.h" // For export macro
 
@@ -25,6 +26,17 @@ struct Crowd
   std::size_t Surfaces = 0;                  ///< successive triangles in one plane are one
   double Layers = 0.0;                       ///< how often they cover the beam, roughly
   double Nearest = HUGE_VAL, Farthest = 0.0; ///< depths of those corners [m]
+  /// Least depth, within Reach radii, of the planes of all triangles that the axis may meet [m]; HUGE_VAL:
+  /// none.
+  double NearestPlane = HUGE_VAL;
+  static constexpr double Reach = 1.25;
+};
+
+/// Which triangles of a crowd are one face.
+struct PairRule
+{
+  const FacetMaker& Maker;
+  double Tilt; ///< largest tilt between them [rad]; 0: none are
 };
 
 /**
@@ -53,10 +65,11 @@ public:
   /**
    * Adds the triangles of a view that touch the square about a beam without a waist, and returns what
    * they are; those that are large, or reach behind its apex, are added to facets instead. The beam
-   * is where the ellipse is a circle.
+   * is where the ellipse is a circle. Two successive ones that pair up to a convex quadrilateral are one
+   * face.
    */
-  Crowd AddTriangles(
-    const ConeView& view, const BeamEllipse& ellipse, double tangent, std::vector<Facet>& large);
+  Crowd AddTriangles(const ConeView& view, const BeamEllipse& ellipse, double tangent,
+    const PairRule& pairs, std::vector<Facet>& large);
 
   /// Sorts the faces, the nearest corners first, and of equally near ones the lowest cell.
   void Sort();
@@ -68,7 +81,10 @@ public:
 
 private:
   struct Lanes;
-  void AddLanes(const ConeTriangle* triangles, const Lanes& lanes, std::size_t size);
+  struct Outline;
+  void AddOutline(const Outline& outline);
+  void AddNext(const ConeView& view, const PairRule& pairs, const Outline& next, Outline& last);
+  static bool Join(const Outline& a, const Outline& b, const FacetMaker::Pair& pair, Outline& both);
   void AddLine(double x, double y, double toX, double toY);
 
   std::vector<Face> Faces;

@@ -12,6 +12,7 @@ namespace helios
 namespace
 {
 
+constexpr double LargestReach = Crowd::Reach * (1 - 1e-6);
 constexpr std::size_t SmallestCrowd = 12; // surfaces
 constexpr std::size_t LargestShare = 2; // triangles of a crowd, in its surfaces: others are joined
 
@@ -28,7 +29,8 @@ bool Footprint::CollectCrowd()
   }
   const double tangent = this->Projection.Tangent;
   this->Faces.Clear();
-  const Crowd crowd = this->Faces.AddTriangles(this->View, this->Ellipse, tangent, this->Facets);
+  const Crowd crowd = this->Faces.AddTriangles(
+    this->View, this->Ellipse, tangent, { this->Maker, this->Settings.PairTilt }, this->Facets);
   const double* gate = this->Settings.Gate;
   const bool meetsGate = std::any_of(gate, gate + 2,
     [&crowd](double limit) { return limit > crowd.Nearest && limit < crowd.Farthest; });
@@ -49,6 +51,14 @@ bool Footprint::CollectCrowd()
     this->Faces.Add(face);
   }
   return true;
+}
+
+//------------------------------------------------------------------------------
+bool Footprint::IsMixed(double tangent, double distance) const
+{
+  const Crowd& c = this->Crowded;
+  return this->IsCrowd() && this->Ellipse.IsCircle() &&
+    tangent <= LargestReach * this->Projection.Tangent && c.NearestPlane > c.Nearest + distance;
 }
 
 //------------------------------------------------------------------------------

@@ -33,7 +33,8 @@ struct FacePlane
   InverseDepth Inverse;
   double Minimum, Maximum; ///< inverse depths of its corners
   vtkIdType Cell;
-  std::size_t Facet = None; ///< None: a triangle of one cell
+  std::size_t Facet = None; ///< None: a triangle of one cell, or a pair
+  std::size_t Pair = None;  ///< first of two successive triangles of a view that are one face
 };
 
 /**

@@ -189,7 +189,11 @@ Status SceneSurfaces::AddInstances(vtkPolyData* scene)
 bool SceneSurfaces::AreAlikeInInstances(vtkIdType a, vtkIdType b) const
 {
   const SceneGeometry::Cell first = this->Geometry->Find(a);
-  const SceneGeometry::Cell second = this->Geometry->Find(b);
+  const vtkIdType triangle = first.Triangle + b - a;
+  const bool isInSame = first.Instance && triangle >= 0 &&
+    triangle < this->Geometry->GetPrototype(*first.Instance).GetNumberOfTriangles();
+  const SceneGeometry::Cell second =
+    isInSame ? SceneGeometry::Cell{ first.Instance, triangle } : this->Geometry->Find(b);
   const auto getPart = [this](const SceneGeometry::Cell& at)
   { return at.Instance ? at.Instance->Part : this->Mesh.GetPartId(at.Triangle); };
   return this->GetMaterialIdAt(first) == this->GetMaterialIdAt(second) &&

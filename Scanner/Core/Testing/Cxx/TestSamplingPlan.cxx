@@ -46,7 +46,7 @@ TEST_CASE(
 {
   const helios::SamplingPlan fine = PlanSampling({ 1e-3, 1e-2 }, 1.7);
   const helios::SamplingPlan coarse = PlanSampling({ 3e-2, 3e-1 }, 1.7);
-  CHECK(coarse.GetCellsAcross(1) == 48);
+  CHECK(coarse.GetCellsAcross(1) == 40);
   CHECK(PlanSampling({ 1.0, 1.0 }, 1.7).GetCellsAcross(1) == 16);
   CHECK(PlanSampling({ 1.0, 1e-2 }, 1.7).GetCellsAcross(1) == 80);
   CHECK(fine.PrefersCells(160, 6.0));
@@ -61,8 +61,8 @@ TEST_CASE("SamplingPlan: the maxima of bins will do for wide tolerances", "[Samp
 {
   CHECK(PlanSampling({ 3e-3, 3e-2 }, 1.7).MaximumRefined > 1000000);
   CHECK(PlanSampling({ 1e-2, 1e-1 }, 1.7).MaximumRefined == 32);
-  CHECK(PlanSampling({ 1e-2, 1e-1 }, 1.7).DetectionBin == Approx(0.15 * 1.7));
-  CHECK(PlanSampling({ 3e-2, 3e-1 }, 1.7).DetectionBin == Approx(0.25 * 1.7));
+  CHECK(PlanSampling({ 1e-2, 1e-1 }, 1.7).DetectionBin == Approx(0.25 * 1.7));
+  CHECK(PlanSampling({ 3e-2, 3e-1 }, 1.7).DetectionBin == Approx(0.4 * 1.7));
 }
 
 TEST_CASE("SamplingPlan: rays for the widest tolerances only", "[SamplingPlan]")

@@ -17,6 +17,7 @@
 #include <vtkPoints.h>
 #include <vtkPolyData.h>
 
+#include <cmath>
 #include <map>
 #include <tuple>
 #include <vector>
@@ -122,6 +123,25 @@ public:
     return footprint.IsCrowd() ? footprint.GetNumberOfFaces() : 0;
   }
 
+  /// Returns whether a crowd is known to be mixed, for a cone test within a distance.
+  bool IsMixed(double distance)
+  {
+    Footprint footprint(this->Settings, this->AreAlike);
+    REQUIRE(footprint.Collect(*this->Caster->GetConeProbe(), Origin, Axis, this->Minor));
+    return footprint.IsMixed(this->GetTangent(), distance);
+  }
+
+  /// Returns whether a cone test within a distance finds one plane or one layer.
+  bool IsResolved(double distance) const
+  {
+    PlaneLimits limits(distance);
+    limits.OfLayer.Distance = distance;
+    ConeLayer layer;
+    const vtkHeliosConeHit hit =
+      this->Caster->GetConeProbe()->Probe(Origin, Axis, this->GetTangent(), limits, &layer);
+    return hit.Kind != vtkHeliosConeHit::Unresolved || layer.Size > 0;
+  }
+
   bool Collect() const
   {
     return Footprint(this->Settings).Collect(*this->Caster->GetConeProbe(), Origin, Axis);
@@ -157,6 +177,11 @@ public:
   vtkNew<vtkPolyData> Mesh;
 
 private:
+  double GetTangent() const
+  {
+    return std::tan(this->Settings.HalfAngle * this->Settings.Truncation);
+  }
+
   std::vector<std::tuple<vtkIdType, double, double>> TraceAll()
   {
     vtkNew<vtkHeliosBeamSampler> sampler;
