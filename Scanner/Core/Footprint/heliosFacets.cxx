@@ -179,7 +179,7 @@ bool IsConvex(const Facet& facet, const double normal[3])
 /// Finds the edge that two triangles share; false if there is none.
 bool FindPair(const ConeTriangle& a, const ConeTriangle& b, FacetMaker::Pair& pair)
 {
-  int places[3] = { -1, -1, -1 }; // of the corners of b in a
+  int places[3] = { -1, -1, -1 }; // places of the corners of b in a
   int shared = 0;
   for (int i = 0; i < 3; ++i)
   {

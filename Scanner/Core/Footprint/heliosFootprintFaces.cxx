@@ -17,7 +17,7 @@ constexpr double MinimumArea = 1e-12; // area of a face, in the cross-section
 constexpr double Large = 100.0;       // coordinates of a triangle that is added as a facet
 constexpr double Inside = 1.0 - 1e-6; // square of the radius of a corner that is in the beam
 constexpr double LargestTilt = 3e-4;  // [rad], between triangles of one plane
-constexpr double Rounding = 1e-9;     // of depths
+constexpr double Rounding = 1e-9;     // share of depths
 constexpr std::size_t Width = 4;
 
 typedef Doubles Lane;
@@ -76,7 +76,7 @@ struct FootprintFaces::Outline
   int Size = 0;
   double X[4], Y[4];
   double Slopes[4];  ///< slopes of the edges from each corner
-  double Area = 0.0; ///< as of lanes
+  double Area = 0.0; ///< twice the area, as in lanes
   FacePlane Plane;
   std::size_t Index = 0; ///< in the view
 

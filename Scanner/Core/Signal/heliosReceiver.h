@@ -206,7 +206,7 @@ private:
   std::vector<double> Sum; // sums in the filled samples of the waveform
   std::vector<PulseCluster> Clusters;
   std::vector<int> NearClusters = std::vector<int>(256, -1); // places of clusters by slot; -1: none
-  std::unordered_map<vtkIdType, int> FarClusters;            // of slots beyond
+  std::unordered_map<vtkIdType, int> FarClusters;            // places of those of slots beyond
   bool WasCut = false;
   bool IsSorted = false;         // whether the returns are, by range
   std::vector<SubReturn> Sorted; // many returns, or returns too far apart for one window
