@@ -173,3 +173,19 @@ def test_a_plan_leaves_them_out(survey, tmp_path, capsys):
     kept = vtkhelios.plan(survey, grid=20, moving_parts=True)
     assert kept.scene.GetBounds()[5] == pytest.approx(4.0)
     assert kept.report["settings"]["movingParts"] is True
+
+
+@pytest.mark.parametrize("motion", ["continuous", None])
+@pytest.mark.parametrize("sub_rays", [None, 19])
+def test_a_pulse_alone_has_the_same_echoes(survey, motion, sub_rays):
+    """Pulses are traced in groups where nothing moves; results do not depend on that."""
+    read = vtkhelios.read_survey(survey)
+    read.parts[1].motion = motion
+    options = {"noise": False} | ({} if sub_rays is None else {"sub_rays": sub_rays})
+    whole = read.run(**options)
+    pulses = whole["PulseIds"]
+    moving = np.unique(pulses[np.isin(whole["PartIds"], (1, 2))])
+    assert len(moving) > 1000
+    for pulse in np.unique(moving[:: len(moving) // 40] + np.array([[-1], [0], [1]])):
+        alone = read.run_window(options, (int(pulse), int(pulse) + 1))
+        assert np.array_equal(alone.points, whole.points[pulses == pulse]), pulse
