@@ -31,11 +31,12 @@ std::string Text(const char* text)
   return text ? text : "";
 }
 
-/// Returns a scene with its moving parts where they are at the start; null after an error.
+/// Returns a scene with its moving parts where they are at the start, and those that deform as their first
+/// frame; null after an error.
 vtkSmartPointer<vtkPolyData> PlaceAtStart(
   const helios::SurveyData& survey, vtkPolyData* scene, helios::Messages& log)
 {
-  helios::MovingInstances parts(survey.Scene, scene, survey.Convention, log);
+  helios::MovingInstances parts(survey.Scene, scene, {}, survey.Convention, log);
   parts.StandStill();
   return log.HasError() ? nullptr : parts.GetScene();
 }
