@@ -33,6 +33,7 @@ std::string GetMeshKey(const PartData& part)
   }
   for (const CrsData& crs : part.Crs)
   {
+    key << ' ' << crs.Epoch << ' ' << crs.HeightUnit;
     texts.insert(texts.end(), { crs.Source, crs.Target });
   }
   for (const std::string& text : texts)

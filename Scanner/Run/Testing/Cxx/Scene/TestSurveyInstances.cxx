@@ -181,6 +181,35 @@ TEST_CASE(
   CHECK(scene->GetNumberOfPolys() == 4 + 3); // hill, house, repaired
 }
 
+TEST_CASE("SurveyInstances: meshes reprojected in different ways are apart", "[SurveyInstances]")
+{
+  const Files files;
+  files.Write("roof.obj", "v 984000 200000 0\nv 984009 200000 9\nv 984000 200009 9\nf 1 2 3\n");
+  const auto add = [](const std::string& id, const std::string& more)
+  {
+    return MakePart(id, "roof.obj",
+      R"(<filter type="crs"><param key="source" value="EPSG:2263"/>
+<param key="target" value="EPSG:32618"/>)" +
+        more + "</filter>");
+  };
+  const std::string metres = R"(<param key="heightUnit" value="1"/>)";
+  const std::string year = R"(<param key="epoch" value="2020"/>)";
+  WriteScene(
+    files, add("feet", "") + add("metres", metres) + add("metres too", metres) + add("2020", year));
+  const Reading reading(files, Tripod, Leg);
+  INFO(reading.Log->Errors);
+  REQUIRE(reading.Good);
+  vtkNew<vtkHeliosSurveySource> source;
+  source->SetSurvey(reading.Reader->GetSurvey());
+  source->InstancesOn();
+  REQUIRE(source->Load());
+  auto* scene = vtkHeliosScene::SafeDownCast(source->GetScene());
+  REQUIRE(scene);
+  CHECK(scene->GetNumberOfInstances() == 5 + 2); // trees, in metres
+  CHECK(scene->GetNumberOfPrototypes() == 2);
+  CHECK(scene->GetNumberOfPolys() == 4 + 2); // hill, house, in feet, of 2020
+}
+
 TEST_CASE("SurveyInstances: parts of the same PLY, STL, CityJSON or glTF file", "[SurveyInstances]")
 {
   const Files files;
