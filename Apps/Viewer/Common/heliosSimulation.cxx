@@ -6,6 +6,7 @@
 #include "heliosGroundHeight.h"
 #include "heliosSceneBounds.h"
 #include "heliosSurveyData.h"
+#include "heliosSurveyLoader.h"
 #include "vtkHeliosSurvey.h"
 #include "vtkHeliosSurveySource.h"
 
@@ -42,14 +43,14 @@ vtkSmartPointer<Data> CopyOutput(vtkHeliosSurveySource* source, int port)
   return kept;
 }
 
-/// Returns whether parts move in any epoch: the mesh that is drawn is then split into layers.
+/// Returns whether parts move or deform in any epoch: the mesh that is drawn is then split into layers.
 bool HasMovingParts(const SceneData& scene)
 {
   const auto moves = [](const PartData& part)
   {
-    return part.Motion.IsMoving() ||
+    return part.IsMoving() ||
       std::any_of(part.Swaps.begin(), part.Swaps.end(),
-        [](const SwapData& swap) { return swap.Part.Motion.IsMoving(); });
+        [](const SwapData& swap) { return swap.Part.IsMoving(); });
   };
   return std::any_of(scene.Parts.begin(), scene.Parts.end(), moves);
 }
@@ -297,6 +298,7 @@ bool Simulation::Load()
     this->Grids.push_back(vtkSmartPointer<vtkImageData>::New());
     this->Grids.back()->ShallowCopy(this->Source->GetGrid(i));
   }
+  this->Frames = this->Source->GetLoader().GetFrames();
   this->NumberOfPulses = this->Source->GetNumberOfPulses();
   this->ReadLegs();
   const std::lock_guard<std::mutex> lock(this->Mutex);

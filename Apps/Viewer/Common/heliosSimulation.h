@@ -8,6 +8,7 @@
 #include "heliosPlatformKind.h"
 #include "heliosPose.h"
 #include "heliosPulseClock.h"
+#include "heliosShapePath.h"
 #include "heliosSurveyData.h"
 #include "heliosTrajectory.h"
 #include "vtkHeliosSurvey.h"
@@ -112,6 +113,7 @@ public:
   /// Returns results of loading, known once it has ended; null if it failed.
   vtkPolyData* GetScene() const { return this->Scene; }
   const std::vector<vtkSmartPointer<vtkImageData>>& GetGrids() const { return this->Grids; }
+  const SceneFrames& GetFrames() const { return this->Frames; }
   void GetBounds(double bounds[6]) const; ///< bounds of both [m]
   const std::vector<SimulatedLeg>& GetLegs() const { return this->Legs; }
   double GetStartTime() const;
@@ -165,6 +167,7 @@ private:
   vtkNew<vtkHeliosSurveySource> Source;
   vtkSmartPointer<vtkPolyData> Scene;
   std::vector<vtkSmartPointer<vtkImageData>> Grids; // turbid voxels
+  SceneFrames Frames;                               // frames of the parts that deform
   std::vector<SimulatedLeg> Legs;
   vtkIdType NumberOfPulses = 0;
   std::thread Thread;

@@ -54,25 +54,42 @@ void AddCells(vtkPolyData* mesh, vtkBoundingBox& box)
   }
 }
 
-/// Returns the points of the triangles of a part, each once.
-std::vector<vtkIdType> FindPoints(vtkPolyData* mesh, int part)
+bool IsSame(const MeshShape& a, const MeshShape& b)
 {
-  std::vector<bool> isOfPart(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
+  return a.From == b.From && a.To == b.To && a.Fraction == b.Fraction;
+}
+
+/// A point of the moving mesh, and the point of the part's own mesh that it is.
+struct PartPoint
+{
+  vtkIdType Shown;
+  vtkIdType Own;
+};
+
+/// Returns the points of the triangles of a part, each once. A part that deforms has one own mesh, with
+/// the same triangles.
+std::vector<PartPoint> FindPoints(vtkPolyData* mesh, int part, vtkPolyData* own)
+{
+  std::vector<bool> isKnown(static_cast<std::size_t>(mesh->GetNumberOfPoints()));
   vtkDataArray* ids = mesh->GetCellData()->GetArray(names::PartIds);
-  vtkNew<vtkIdList> corners;
+  std::vector<PartPoint> points;
+  vtkNew<vtkIdList> corners, ownCorners;
+  vtkIdType next = 0; // triangle of its own
   for (vtkIdType cell = 0; cell < mesh->GetNumberOfCells(); ++cell)
   {
-    mesh->GetPolys()->GetCellAtId(cell, corners);
-    const bool isIn = !ids || static_cast<int>(ids->GetComponent(cell, 0)) == part;
-    for (vtkIdType k = 0; isIn && k < corners->GetNumberOfIds(); ++k)
+    if (ids && static_cast<int>(ids->GetComponent(cell, 0)) != part)
     {
-      isOfPart[static_cast<std::size_t>(corners->GetId(k))] = true;
+      continue;
     }
-  }
-  std::vector<vtkIdType> points;
-  for (std::size_t i = 0; i < isOfPart.size(); ++i)
-  {
-    isOfPart[i] ? points.push_back(static_cast<vtkIdType>(i)) : void();
+    mesh->GetPolys()->GetCellAtId(cell, corners);
+    own ? own->GetPolys()->GetCellAtId(next++, ownCorners) : ownCorners->DeepCopy(corners);
+    for (vtkIdType k = 0; k < corners->GetNumberOfIds(); ++k)
+    {
+      const vtkIdType shown = corners->GetId(k);
+      isKnown[static_cast<std::size_t>(shown)] ? void()
+                                               : points.push_back({ shown, ownCorners->GetId(k) });
+      isKnown[static_cast<std::size_t>(shown)] = true;
+    }
   }
   return points;
 }
@@ -84,13 +101,36 @@ struct SceneMover::Part
 {
   int Id;
   int Motion;
-  std::vector<vtkIdType> Points;
+  vtkPolyData* Own; // its mesh, if it deforms; else null
+  std::vector<PartPoint> Points;
   std::unique_ptr<InstanceTrack> Track;
   Similarity Place;
+  MeshShape Shape;
+
+  /// Moves it to a moment; false: unchanged.
+  bool MoveTo(const SceneMoment& moment)
+  {
+    Similarity place = this->Place;
+    MeshShape shape = this->Shape;
+    this->Track->Move(moment, place);
+    this->Track->GetFrames() ? this->Track->FindShape(moment, shape) : void();
+    const bool isMoved = !IsSame(place, this->Place) || !IsSame(shape, this->Shape);
+    this->Place = place;
+    this->Shape = shape;
+    return isMoved;
+  }
+
+  /// Finds where a point is, which is at a place in the scene.
+  void FindPoint(vtkIdType own, const double atRest[3], double place[3]) const
+  {
+    double p[3] = { atRest[0], atRest[1], atRest[2] };
+    this->Shape.From ? this->Shape.GetPoint(own, p) : void();
+    this->Place.Apply(p, place);
+  }
 };
 
 //------------------------------------------------------------------------------
-SceneMover::SceneMover(const SurveyData& survey, vtkPolyData* mesh)
+SceneMover::SceneMover(const SurveyData& survey, vtkPolyData* mesh, const SceneFrames& frames)
   : Log(Owner)
 {
   vtkNew<vtkCallbackCommand> nobody;
@@ -98,13 +138,15 @@ SceneMover::SceneMover(const SurveyData& survey, vtkPolyData* mesh)
   this->Owner->AddObserver(vtkCommand::ErrorEvent, nobody);
   this->Owner->AddObserver(vtkCommand::WarningEvent, nobody);
   this->Instances =
-    std::make_unique<MovingInstances>(survey.Scene, mesh, survey.Convention, this->Log);
+    std::make_unique<MovingInstances>(survey.Scene, mesh, frames, survey.Convention, this->Log);
   if (!this->Instances->IsMoving())
   {
     this->Instances.reset();
     return;
   }
-  vtkPolyData* places = vtkHeliosScene::SafeDownCast(this->Instances->GetScene())->GetInstances();
+  auto* scene = vtkHeliosScene::SafeDownCast(this->Instances->GetScene());
+  vtkPolyData* places = scene->GetInstances();
+  vtkDataArray* prototypes = places->GetPointData()->GetArray(names::PrototypeIds);
   vtkDataArray* motions = places->GetPointData()->GetArray(names::MotionIds);
   vtkDataArray* parts = places->GetPointData()->GetArray(names::PartIds);
   for (vtkIdType i = 0; i < places->GetNumberOfPoints(); ++i)
@@ -115,7 +157,10 @@ SceneMover::SceneMover(const SurveyData& survey, vtkPolyData* mesh)
       this->Parts.begin(), this->Parts.end(), [id](const Part& part) { return part.Id == id; });
     if (motion >= 0 && !isKnown) // all runs of triangles of a part move alike
     {
-      this->Parts.push_back({ id, motion, {}, nullptr, {} });
+      const auto prototype = static_cast<int>(prototypes->GetComponent(i, 0));
+      auto* own =
+        frames.count(id) > 0 ? vtkPolyData::SafeDownCast(scene->GetPrototype(prototype)) : nullptr;
+      this->Parts.push_back({ id, motion, own, {}, nullptr, {}, {} });
     }
   }
 }
@@ -156,11 +201,11 @@ bool SceneMover::GetBounds(const SimulatedLeg& leg, double bounds[6])
     const auto part = std::find_if(
       this->Parts.begin(), this->Parts.end(), [id](const Part& one) { return one.Id == id; });
     vtkDataSet* mesh = scene->GetPrototype(static_cast<int>(prototypes->GetComponent(i, 0)));
-    part->Track->Move(FindMoment(leg, leg.StartTime), part->Place);
+    part->MoveTo(FindMoment(leg, leg.StartTime));
     for (vtkIdType p = 0; p < mesh->GetNumberOfPoints(); ++p)
     {
       double at[3];
-      part->Place.Apply(mesh->GetPoint(p), at);
+      part->FindPoint(p, mesh->GetPoint(p), at);
       box.AddPoint(at);
     }
   }
@@ -187,7 +232,8 @@ void SceneMover::SetView(SceneView& view)
   for (Part& part : this->Parts)
   {
     part.Place = Similarity();
-    part.Points = this->AtRest ? FindPoints(view.GetMovingMesh(), part.Id) : part.Points;
+    part.Shape = MeshShape();
+    part.Points = this->AtRest ? FindPoints(view.GetMovingMesh(), part.Id, part.Own) : part.Points;
   }
 }
 
@@ -208,23 +254,20 @@ bool SceneMover::MoveTo(const std::vector<SimulatedLeg>& legs, double time)
   vtkSmartPointer<vtkPoints> points; // null: nothing has moved
   for (Part& part : this->Parts)
   {
-    Similarity place = part.Place;
-    part.Track->Move(moment, place);
-    if (IsSame(place, part.Place))
+    if (!part.MoveTo(moment))
     {
       continue;
     }
-    part.Place = place;
     if (!points)
     {
       points = vtkSmartPointer<vtkPoints>::New();
       points->DeepCopy(this->View->GetMovingMesh()->GetPoints());
     }
-    for (const vtkIdType point : part.Points)
+    for (const PartPoint& point : part.Points)
     {
       double p[3];
-      place.Apply(this->AtRest->GetPoint(point), p);
-      points->SetPoint(point, p);
+      part.FindPoint(point.Own, this->AtRest->GetPoint(point.Shown), p);
+      points->SetPoint(point.Shown, p);
     }
   }
   if (points)

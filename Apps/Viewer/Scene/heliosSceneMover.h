@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// Moves the dynamic parts of a scene to their positions at the displayed time.
+// Moves the dynamic parts of a scene to their positions at the displayed time, and deforms them.
 
 #ifndef heliosSceneMover_h
 #define heliosSceneMover_h
@@ -27,12 +27,12 @@ class SceneView;
 struct SimulatedLeg;
 
 /// Moves parts along the paths that the run has: by steps, continuously, along trajectories, and on
-/// other parts. The echoes lie on them.
+/// other parts; parts with frames have the shape of that time. The echoes lie on them.
 class SceneMover
 {
 public:
-  /// The mesh of a survey's scene, in its start state.
-  SceneMover(const SurveyData& survey, vtkPolyData* mesh);
+  /// The mesh of a survey's scene, in its start state, and the frames of its parts that deform.
+  SceneMover(const SurveyData& survey, vtkPolyData* mesh, const SceneFrames& frames = {});
   ~SceneMover();
 
   /// Gets the bounds of all triangles at the begin of a leg [m]; false: nothing moves.

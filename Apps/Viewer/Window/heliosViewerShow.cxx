@@ -298,7 +298,8 @@ void Viewer::FinishLoading()
   double bounds[6];
   this->Running->GetBounds(bounds);
   this->Legs = this->Running->GetLegs();
-  auto mover = std::make_unique<SceneMover>(this->Survey->GetData(), this->Running->GetScene());
+  auto mover = std::make_unique<SceneMover>(
+    this->Survey->GetData(), this->Running->GetScene(), this->Running->GetFrames());
   if (!this->Legs.empty() && mover->GetBounds(this->Legs.front(), bounds))
   {
     AddGrids(this->Running->GetGrids(), bounds);

@@ -77,6 +77,7 @@ public:
   /// Returns the scene; null before Load().
   vtkPolyData* GetScene() const { return this->Scene; }
   const std::vector<vtkSmartPointer<vtkImageData>>& GetGrids() const { return this->Grids; }
+  const SceneFrames& GetFrames() const { return this->Frames; } ///< frames of parts that deform
 
   /// Returns the files that the scene was read from, also files that only other files name.
   const InputFiles& GetInputs() const { return this->SceneFiles; }

@@ -1,6 +1,6 @@
 // SPDX-FileCopyrightText: Copyright (c) The vtkHelios authors
 // SPDX-License-Identifier: BSD-3-Clause
-// A plate that moves 1 m every 0.05 s: its drawn position, with echoes on it.
+// A plate that moves 1 m every 0.05 s, or deforms: its drawn position, with echoes on it.
 #include "heliosSceneMover.h"
 
 #include "heliosSceneView.h"
@@ -55,6 +55,58 @@ public:
 
   ViewerOptions Options;
 };
+
+constexpr double FramesPerSecond = 4.0;
+
+/// The height of a corner of the plate that deforms at a place among its frames [m].
+double GetHeight(int corner, double place)
+{
+  const double before = std::floor(place);
+  const auto get = [](double frame) { return 0.1 * frame * frame; };
+  const double rise = get(before) + (place - before) * (get(before + 1.0) - get(before));
+  return 1.0 + (corner + 1) * rise;
+}
+
+/// The flight, with a plate that deforms: its corners rise, the faster the later in the file. The first
+/// vertex is not used, the others not in their order.
+class DeformingFiles : public MovingFiles
+{
+public:
+  explicit DeformingFiles(const std::string& clock)
+    : MovingFiles(30.0, clock)
+  {
+    for (int frame = 0; frame < 6; ++frame)
+    {
+      std::string text = "v 7 7 7\n";
+      for (int corner = 0; corner < 4; ++corner)
+      {
+        text += "v " + std::to_string(GetX(corner)) + " " + std::to_string(GetY(corner)) + " " +
+          std::to_string(GetHeight(corner, frame)) + "\n";
+      }
+      this->Write("plate_" + std::to_string(frame + 8) + ".obj", text + "f 4 3 2\nf 5 4 2\n");
+    }
+    this->Replace("scene.xml", "key=\"filepath\" value=\"plate.obj\"/>\n</filter>",
+      R"(key="efilepath" value="plate_\d+\.obj"/></filter><filter type="frames">
+<param key="framesPerSecond" value="4"/><param key="tStart" value="0.1"/></filter>)");
+  }
+
+  static double GetX(int corner) { return Start + (corner == 1 || corner == 2 ? 2.0 : -2.0); }
+  static double GetY(int corner) { return 30.0 + (corner >= 2 ? 2.0 : -2.0); }
+};
+
+/// Returns the number of points that are corners of the plate moved by x, at a place among its frames.
+int CountCorners(vtkPolyData* mesh, double x, double place)
+{
+  int found = 0;
+  for (vtkIdType i = 0; i < 4 * mesh->GetNumberOfPoints(); ++i)
+  {
+    const auto corner = static_cast<int>(i % 4);
+    const Vec3 wanted(
+      DeformingFiles::GetX(corner) + x, DeformingFiles::GetY(corner), GetHeight(corner, place));
+    found += (Vec3(mesh->GetPoint(i / 4)) - wanted).Norm() < 1e-6 ? 1 : 0;
+  }
+  return found;
+}
 
 /// Whether a position [m] has a colour in the picture.
 bool HasColor(Viewer& viewer, const Vec3& place, const Rgb& color)
@@ -177,6 +229,56 @@ TEST_CASE("SceneMover: a part follows its trajectory, and carries one that turns
   REQUIRE(mover.GetBounds(viewer.GetLegs().front(), bounds));
   CHECK(bounds[0] == Approx(-60.0)); // the ground
   CHECK(bounds[1] == Approx(5001.0));
+}
+
+TEST_CASE("SceneMover: a part that deforms has its shape at the displayed time")
+{
+  const double step = GENERATE(0.0, 0.3);
+  DeformingFiles files(
+    step > 0.0 ? "dynTimeStep=\"0.3\"" : "dynTimeStep=\"0.5\" motion=\"continuous\"");
+  Viewer viewer(files.Options);
+  REQUIRE(viewer.Run() == 0);
+  SceneView& view = *viewer.GetSceneView();
+  SceneMover mover(viewer.GetSurvey()->GetData(), viewer.GetSimulation()->GetScene(),
+    viewer.GetSimulation()->GetFrames());
+  mover.SetView(view);
+  for (const double time : { 0.85, 0.4, 0.0, 0.95 }) // forwards and backwards
+  {
+    CAPTURE(step, time);
+    REQUIRE(mover.MoveTo(viewer.GetLegs(), time));
+    CHECK_FALSE(mover.MoveTo(viewer.GetLegs(), time)); // unchanged
+    const double steps = step > 0.0 ? std::floor(time / step) : time / 0.5;
+    const double seen = step > 0.0 ? steps * step : time;
+    CHECK(view.GetMovingMesh()->GetNumberOfPoints() == 4);
+    CHECK(CountCorners(view.GetMovingMesh(), steps, FramesPerSecond * (seen + 0.1)) == 4);
+  }
+  double bounds[6];
+  REQUIRE(mover.GetBounds(viewer.GetLegs().front(), bounds));
+  CHECK(bounds[5] == Approx(GetHeight(3, 0.4)));
+}
+
+TEST_CASE("SceneMover: parts of the same frames deform where they are")
+{
+  DeformingFiles files("motion=\"continuous\"");
+  files.Replace("scene.xml",
+    R"(<dmotion id="all" loop="0"><motion type="translation" vec="1;0;0"/></dmotion>)", "");
+  files.Replace("scene.xml", "</scene>", R"(<part motion="continuous"><filter type="objloader">
+<param key="efilepath" value="plate_\d+\.obj"/></filter><filter type="frames">
+<param key="framesPerSecond" value="4"/></filter><filter type="translate">
+<param key="offset" value="20;0;0"/></filter></part></scene>)");
+  for (const double time : { 0.2, 0.9 })
+  {
+    files.Options.StartTime = time;
+    Viewer viewer(files.Options);
+    REQUIRE(viewer.Run() == 0);
+    vtkPolyData* mesh = viewer.GetSceneView()->GetMovingMesh();
+    REQUIRE(mesh);
+    const double shown = viewer.GetClock().GetTime();
+    CHECK(shown == Approx(time));
+    CHECK(mesh->GetNumberOfPoints() == 8);
+    CHECK(CountCorners(mesh, 0.0, FramesPerSecond * (shown + 0.1)) == 4);
+    CHECK(CountCorners(mesh, 20.0, FramesPerSecond * shown) == 4);
+  }
 }
 
 TEST_CASE("SceneMover: a scene at rest is not modified")
