@@ -113,7 +113,7 @@ struct SceneMover::Part
     Similarity place = this->Place;
     MeshShape shape = this->Shape;
     this->Track->Move(moment, place);
-    this->Track->GetFrames() ? this->Track->FindShape(moment, shape) : void();
+    this->Own ? this->Track->FindShape(moment, shape) : void();
     const bool isMoved = !IsSame(place, this->Place) || !IsSame(shape, this->Shape);
     this->Place = place;
     this->Shape = shape;
