@@ -59,7 +59,11 @@ def find_named(row):
     return {word.split("/")[-1] for word in re.findall(r"`([^`]+\.(?:h|cxx|py))`", line)}
 
 
-@pytest.mark.parametrize(("words", "row", "users"), FACTS, ids=lambda value: str(value)[:24])
+def name_value(value):
+    return (value if isinstance(value, str) else " ".join(sorted(value)))[:24]
+
+
+@pytest.mark.parametrize(("words", "row", "users"), FACTS, ids=name_value)
 def test_a_fact_is_known_to_the_files_of_the_table(words, row, users):
     known, named = find_files(words), find_named(row)
     assert named and users <= known
