@@ -51,7 +51,7 @@ struct MeshShape
   }
 };
 
-/// What is fitted to the shape of a mesh when that is used.
+/// A follower of the shape of a mesh: it is fitted to it when that is used.
 class ShapeFollower
 {
 public:

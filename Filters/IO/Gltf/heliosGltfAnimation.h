@@ -22,7 +22,7 @@ namespace helios
 
 class GltfDocument;
 
-/// What an animation moves of a node; empty: as in the node.
+/// The values of a node that an animation moves; empty: as in the node.
 struct GltfNodePose
 {
   std::vector<double> Translation; ///< three numbers
@@ -66,7 +66,7 @@ private:
     std::vector<double> GltfNodePose::*Target = nullptr;
     Kind Interpolation = Kind::Linear;
     std::vector<double> Times;
-    std::vector<double> Values; ///< of each key; cubic: tangent, value, tangent
+    std::vector<double> Values; ///< values of each key; cubic: tangent, value, tangent
     std::size_t Size = 0;       ///< numbers of a value
   };
 

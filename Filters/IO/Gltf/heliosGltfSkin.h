@@ -35,7 +35,7 @@ struct GltfWeights
     std::int64_t Joint; ///< index into the joints of the skin
     double Weight;
   };
-  std::vector<Influence> Influences; ///< of one vertex after the other
+  std::vector<Influence> Influences; ///< influences on one vertex after the other
   std::vector<std::size_t> Ends;     ///< end of those of each vertex
 
   /// Returns where a vertex is by the matrices of the joints.

@@ -17,7 +17,7 @@
 namespace helios
 {
 
-/// What the trees of all threads over the same frames share, made once.
+/// The part of the trees over the same frames that all threads share, made once.
 class VTKHELIOSSCANNERRAYCASTING_EXPORT ShapePlan
 {
 public:

@@ -86,7 +86,7 @@ struct PointFit
 
   HELIOS_INLINE void Run(const Doubles& from, const Doubles& to, float* low, float* high) const
   {
-    const Doubles way = to - from; // as MeshShape::Interpolate()
+    const Doubles way = to - from; // the arithmetic of MeshShape::Interpolate()
     const Doubles a = from + this->First * way;
     const Doubles b = from + this->Last * way;
     const Doubles least = (Min(a, b) - this->Centre) * this->Scale;

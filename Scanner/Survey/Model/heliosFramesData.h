@@ -10,7 +10,7 @@
 namespace helios
 {
 
-/// What a mesh does before its first frame and after its last one.
+/// The ways of a mesh before its first frame and after its last one.
 enum class FramesEnd
 {
   Error, ///< a survey that lasts longer is an error

@@ -341,7 +341,7 @@ TEST_CASE("MovingInstances: a group of cones meets what moves only while it is a
     MakeData(Repeat({ MakeMotion(MotionKind::Translation, Vec3(0, 0, 0.1)) }), isContinuous);
   vtkNew<vtkObject> owner;
   helios::Messages log(owner);
-  const helios::MovingInstances parts(data, scene, helios::AngleConvention::Arinc705, log);
+  const helios::MovingInstances parts(data, scene, {}, helios::AngleConvention::Arinc705, log);
   const auto base =
     vtkSmartPointer<vtkHeliosRayCaster>::Take(vtkHeliosRayCasterFactory::Create("beam"));
   REQUIRE(base->Build(parts.GetScene()));
@@ -448,7 +448,7 @@ TEST_CASE("MovingInstances: speeds of a part that drives, then waits", "[MovingI
   helios::SceneData data = MakeData(sequences, isContinuous);
   data.Parts[1].Name = "car";
   helios::MovingInstances parts(
-    data, MakeScene(0.0, false), helios::AngleConvention::Arinc705, log);
+    data, MakeScene(0.0, false), {}, helios::AngleConvention::Arinc705, log);
   const helios::LegClock drives = { { 0, 0.0, 1000.0 }, 0.9 };
   const helios::LegClock waits = { { 1500, 1.5, 1000.0 }, 2.0 };
   const auto speeds = parts.GetSpeeds({ drives, waits });
@@ -473,7 +473,7 @@ TEST_CASE("MovingInstances: parts that share points cannot be placed", "[MovingI
   vtkNew<vtkObject> owner;
   helios::Messages log(owner);
   helios::MovingInstances parts(
-    MakeData(Repeat({ MakeMotion(MotionKind::Translation, Vec3(1, 0, 0)) }), true), scene,
+    MakeData(Repeat({ MakeMotion(MotionKind::Translation, Vec3(1, 0, 0)) }), true), scene, {},
     helios::AngleConvention::Arinc705, log);
   REQUIRE(parts.IsMoving());
   parts.StandStill();

@@ -17,8 +17,8 @@ struct Animated
 {
   std::string Interpolation = "LINEAR";
   std::string Node = "{\"mesh\":0}";
-  std::string More;      ///< of the document
-  std::string Primitive; ///< of its attributes
+  std::string More;      ///< more of the document
+  std::string Primitive; ///< more attributes of the primitive
   std::string Target = "{\"node\":0,\"path\":\"translation\"}";
   std::vector<float> Times = { 0.0f, 1.0f, 3.0f };
   std::vector<float> Values = { 0, 0, 0, 1, 0, 0, 1, 4, 0 };
