@@ -224,6 +224,15 @@ vtkIdType Simulation::GetCollectedPulses() const
 }
 
 //------------------------------------------------------------------------------
+/// Compares pulses: their times are rounded.
+bool Simulation::HasCollected(double time) const
+{
+  const vtkIdType pulses = this->Source->FindPulse(time);
+  const std::lock_guard<std::mutex> lock(this->Mutex);
+  return this->CollectedPulses >= pulses;
+}
+
+//------------------------------------------------------------------------------
 double Simulation::GetComputingSeconds() const
 {
   const std::lock_guard<std::mutex> lock(this->Mutex);

@@ -131,6 +131,9 @@ public:
   double GetCollectedTime() const;
   vtkIdType GetCollectedPulses() const;
 
+  /// Returns whether the echoes of all pulses before a time have been collected; once it is loaded.
+  bool HasCollected(double time) const;
+
   /// Returns the wall time spent on computing blocks [s].
   double GetComputingSeconds() const;
 

@@ -74,7 +74,7 @@ void Viewer::WaitFor(double time)
     const Simulation::Phase phase = this->Running->GetPhase();
     return phase == Simulation::Phase::Failed ||
       (phase != Simulation::Phase::Loading && !this->IsLoading &&
-        (time < 0.0 || this->Running->GetCollectedTime() >= std::min(time, this->Clock.GetEnd())));
+        (time < 0.0 || this->Running->HasCollected(time)));
   };
   while (this->Running && !isThere())
   {

@@ -94,6 +94,7 @@ public:
   void SetFollower(const SceneInstance& instance, std::unique_ptr<ShapeFollower> follower, int tree)
   {
     Slot& slot = this->Slots[static_cast<std::size_t>(instance.Motion)];
+    this->Fill(slot, instance);
     slot.Follower = std::move(follower);
     slot.Instance.Tree = tree;
     slot.Instance.Shape = &slot.Shape;

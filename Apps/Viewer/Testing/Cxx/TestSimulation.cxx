@@ -105,6 +105,23 @@ TEST_CASE(
   CHECK(GetRanges(blocks) == GetRanges({ whole->GetOutput() }));
 }
 
+TEST_CASE("Simulation: any time is reached, also one between two pulses", "[Viewer]")
+{
+  const StepFiles files;
+  const auto survey = Read(files);
+  Simulation run(survey);
+  run.Start();
+  run.SetTarget(0.0);
+  CollectUntil(run, [&run] { return run.GetPhase() == Simulation::Phase::Running; });
+  for (int i = 1; i <= 40; ++i)
+  {
+    const double time = i / 40.0 * 0.3 + (i % 4) * 1e-14;
+    run.SetTarget(time);
+    CollectUntil(run, [&run, time] { return run.HasCollected(time); });
+  }
+  CHECK_FALSE(run.HasCollected(0.31));
+}
+
 TEST_CASE("Simulation: platform pose by time", "[Viewer]")
 {
   const StepFiles files;
