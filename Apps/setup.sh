@@ -106,7 +106,8 @@ helios_install_test_libraries() {
 
 # Notebooks, for Testing/run.sh --browser.
 helios_install_notebooks() {
-  helios_pip 'import nbclient, ipykernel' "nbclient and ipykernel" 'nbclient==0.10.2' 'ipykernel==6.29.5'
+  helios_pip 'import nbclient, ipykernel' "nbclient and ipykernel" 'nbclient==0.10.2' 'ipykernel==6.29.5' \
+    'matplotlib-inline<0.2' # newer ones need a newer matplotlib than Debian's
 }
 
 # helios_warnings ON|OFF: the argument of CMake that makes warnings errors in build/, or not. A build

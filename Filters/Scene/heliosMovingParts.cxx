@@ -142,6 +142,24 @@ void CentroidSum::Add(const double p[3], const double q[3], const double r[3])
   this->Areas += area;
 }
 
+void CentroidSum::Add(const CentroidSum& other, const Similarity& place)
+{
+  if (other.Count == 0)
+  {
+    return;
+  }
+  const auto count = static_cast<double>(other.Count);
+  Vec3 mean, centroid;
+  place.Apply((other.Base + (1.0 / count) * other.Plain).GetData(), mean.GetData());
+  place.Apply(other.Get().GetData(), centroid.GetData());
+  this->Base = this->Count == 0 ? mean : this->Base;
+  const double areas = place.Scale * place.Scale * other.Areas;
+  this->ByArea = this->ByArea + areas * (centroid - this->Base);
+  this->Plain = this->Plain + count * (mean - this->Base);
+  this->Areas += areas;
+  this->Count += other.Count;
+}
+
 Vec3 CentroidSum::Get() const
 {
   return this->Base +

@@ -6,6 +6,7 @@
 #define heliosMovingParts_h
 
 #include "heliosPartMotion.h"
+#include "heliosSimilarity.h"
 #include "heliosStatus.h"
 
 #include <map>
@@ -22,6 +23,10 @@ class VTKHELIOSFILTERSSCENE_EXPORT CentroidSum
 {
 public:
   void Add(const double p[3], const double q[3], const double r[3]);
+
+  /// Adds the triangles of another one, moved to a place.
+  void Add(const CentroidSum& other, const Similarity& place);
+
   Vec3 Get() const;
 
 private:

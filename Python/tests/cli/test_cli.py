@@ -42,7 +42,7 @@ from _command_line import PULSES, expect_failure, start
         ),
         (["run", "s.xml", "--seed", "1.5"], "'1.5' is not a whole number"),
         (["run", "s.xml", "--threads", "many"], "'many' is not a whole number from 0 to 4096"),
-        (["run", "s.xml", "--format", "pcd"], "unknown 'pcd': known: xyz, las, laz, vtp"),
+        (["run", "s.xml", "--format", "pcd"], "unknown 'pcd': known: xyz, las, laz, copc, vtp"),
         (["run", "s.xml", "--range-tolerance", "0"], "'0' is not a number from 1e-06 to 1"),
         (
             ["run", "s.xml", "--max-sub-rays", "9"],

@@ -51,7 +51,7 @@ def test_all_commands_are_described(commands):
     options = {name for option in commands["run"].options for name in option.names}
     assert {"--format", "--assets", "--help", "-h"} <= options
     kinds = {name: option.value for option in commands["run"].options for name in option.names}
-    assert kinds["--format"].words == ("xyz", "las", "laz", "vtp")
+    assert kinds["--format"].words == ("xyz", "las", "laz", "copc", "vtp")
     assert kinds["--assets"].kind == kinds["--output"].kind == "folder"
     assert kinds["--seed"].kind == "number"
     assert kinds["--quiet"].kind == "flag"
@@ -67,7 +67,7 @@ def test_all_commands_are_described(commands):
     [
         ("ru", {"run"}),
         ("run --form", {"--format"}),
-        ("run --format ", {"xyz", "las", "laz", "vtp"}),
+        ("run --format ", {"xyz", "las", "laz", "copc", "vtp"}),
         ("run --format = l", {"las", "laz"}),
         ("run --assets a", {"assets"}),
         ("run a", {"a survey.xml", "assets"}),
@@ -96,7 +96,7 @@ def test_bash(line, expected, scripts):
     [
         ("ru", {"run"}),
         ("run --form", {"--format"}),
-        ("run --format ", {"las", "laz", "vtp", "xyz"}),
+        ("run --format ", {"copc", "las", "laz", "vtp", "xyz"}),
         ("run --assets a", {"assets/"}),
         ("run a", {"a survey.xml", "assets/"}),
         ("help vali", {"validate"}),
@@ -162,4 +162,4 @@ def test_an_unknown_shell_has_a_hint(capsys):
     with pytest.raises(SystemExit) as end:
         cli.main(["completion", "tcsh"])
     assert end.value.code == 2
-    assert "unknown 'tcsh': did you mean zsh?" in capsys.readouterr().err
+    assert "unknown 'tcsh': known: bash, zsh, fish" in capsys.readouterr().err

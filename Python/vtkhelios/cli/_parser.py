@@ -54,7 +54,7 @@ def part_of_run(text):
 
 def nearest(word, known):
     """Returns the known word most similar to a given one, or None."""
-    close = difflib.get_close_matches(word, known, n=1, cutoff=0.5)
+    close = difflib.get_close_matches(word, known, n=1, cutoff=0.6)
     return close[0] if close else None
 
 

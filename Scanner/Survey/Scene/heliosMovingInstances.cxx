@@ -116,6 +116,7 @@ private:
 
   void FindCells();
   void AddRun(const std::vector<vtkIdType>& cells, std::size_t part, int id);
+  const CentroidSum& GetSum(const SceneInstance& instance);
   void AddInstances(SceneMotions::Content& motions);
   std::shared_ptr<const PartFrames> MakePlaced(int id) const;
   vtkSmartPointer<vtkPolyData> MakeInstances() const;
@@ -124,6 +125,7 @@ private:
   const std::map<int, std::size_t>& Parts;
   const SceneFrames& Frames;
   std::vector<CentroidSum> Sums;
+  std::map<int, CentroidSum> PrototypeSums;
   std::vector<bool> HasTriangles;
   SceneGeometry Geometry;
   std::vector<vtkIdType> Resting; ///< cells of the mesh
@@ -226,6 +228,21 @@ std::shared_ptr<const PartFrames> MovingInstances::Split::MakePlaced(int id) con
 }
 
 //------------------------------------------------------------------------------
+/// Returns the sum of the prototype of an instance, which is computed once.
+const CentroidSum& MovingInstances::Split::GetSum(const SceneInstance& instance)
+{
+  const auto [found, isNew] = this->PrototypeSums.try_emplace(instance.PrototypeId);
+  const Prototype& prototype = this->Geometry.GetPrototype(instance);
+  for (vtkIdType t = 0; isNew && t < prototype.GetNumberOfTriangles(); ++t)
+  {
+    double corners[3][3];
+    prototype.GetCorners(t, corners);
+    found->second.Add(corners[0], corners[1], corners[2]);
+  }
+  return found->second;
+}
+
+//------------------------------------------------------------------------------
 /// Adds the instances that the scene has, at rest or not.
 void MovingInstances::Split::AddInstances(SceneMotions::Content&)
 {
@@ -250,13 +267,7 @@ void MovingInstances::Split::AddInstances(SceneMotions::Content&)
       this->Moving.push_back(
         { found->second, instance.Place, frames == this->Frames.end() ? nullptr : frames->second });
       this->HasTriangles[found->second] = true;
-      const Prototype& prototype = this->Geometry.GetPrototype(instance);
-      for (vtkIdType t = 0; t < prototype.GetNumberOfTriangles(); ++t)
-      {
-        double corners[3][3];
-        instance.GetCorners(prototype, t, corners);
-        this->Sums[found->second].Add(corners[0], corners[1], corners[2]);
-      }
+      this->Sums[found->second].Add(this->GetSum(instance), instance.Place);
     }
     this->Entries.push_back(entry);
   }

@@ -3,6 +3,8 @@
 // Motions of parts compared with their closed forms.
 #include "heliosPartMotion.h"
 
+#include "heliosMovingParts.h"
+
 #include <catch2/catch.hpp>
 
 #include <cmath>
@@ -199,4 +201,37 @@ TEST_CASE("PartMotion: sequences of motions", "[PartMotion]")
     CHECK_FALSE(PartMotion({ { { rest }, 0, None } }).IsMoving());
     CHECK_FALSE(PartMotion({}).IsMoving());
   }
+}
+
+TEST_CASE("PartMotion: the centroid of placed triangles is the placed centroid", "[PartMotion]")
+{
+  const bool isFlat = GENERATE(true, false); // triangles without area count by their corners
+  const double quaternion[4] = { 0.8, 0.1, -0.3, 0.5 };
+  const double shift[3] = { 4e5, 5e6, 100.0 };
+  const helios::Similarity place(quaternion, 2.5, shift);
+  const double beside[3][3] = { { 4e5, 5e6, 0.0 }, { 4e5 + 9.0, 5e6, 0.0 },
+    { 4e5, 5e6 + 9.0, 0.0 } };
+  helios::CentroidSum own, placed, each;
+  for (int i = 0; i < 20; ++i)
+  {
+    const double top = isFlat ? 0.0 : 1.0 + i % 3;
+    const double corners[3][3] = { { 1.0 * i, 0.0, 0.0 }, { i + 2.0, 0.0, 0.0 },
+      { i + 1.0, top, top } };
+    double moved[3][3];
+    for (int k = 0; k < 3; ++k)
+    {
+      place.Apply(corners[k], moved[k]);
+    }
+    own.Add(corners[0], corners[1], corners[2]);
+    each.Add(moved[0], moved[1], moved[2]);
+  }
+  placed.Add(helios::CentroidSum(), place);
+  placed.Add(own, place);
+  const double mean[3] = { 10.5, 0.0, 0.0 };
+  Vec3 expected = each.Get();
+  isFlat ? place.Apply(mean, expected.GetData()) : void();
+  CheckPoint(placed.Get(), expected, 2e-9);
+  placed.Add(beside[0], beside[1], beside[2]);
+  each.Add(beside[0], beside[1], beside[2]);
+  CheckPoint(placed.Get(), isFlat ? Vec3(4e5 + 3.0, 5e6 + 3.0, 0.0) : each.Get(), 2e-9);
 }
