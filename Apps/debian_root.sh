@@ -46,5 +46,6 @@ helios_make_root() {
 helios_enter() {
   env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root LANG=C.UTF-8 DEBIAN_FRONTEND=noninteractive \
     ${PIP_INDEX_URL:+PIP_INDEX_URL="$PIP_INDEX_URL"} ${PIP_CERT:+PIP_CERT=/opt/pip_cert.crt} \
+    ${CCACHE_DIR:+CCACHE_DIR=/opt/ccache} \
     chroot "$helios_root" "$@"
 }

@@ -96,7 +96,7 @@ enter_clone() {
     helios_enter git clone -q --no-hardlinks --no-checkout /mnt/source /opt/vtkhelios
   in_clone git fetch -q /mnt/source HEAD
   in_clone git checkout -q --force --detach FETCH_HEAD
-  [ -z "${CCACHE_DIR:-}" ] || show_folder "$(realpath "$CCACHE_DIR")" /root/.cache/ccache
+  [ -z "${CCACHE_DIR:-}" ] || show_folder "$(realpath "$CCACHE_DIR")" /opt/ccache
 }
 
 # show_folder FOLDER AS: a folder of this system, in that Debian.

@@ -261,6 +261,7 @@ bool SceneMover::MoveTo(const std::vector<SimulatedLeg>& legs, double time)
     if (!points)
     {
       points = vtkSmartPointer<vtkPoints>::New();
+      points->SetDataTypeToDouble(); // the copy keeps this type
       points->DeepCopy(this->View->GetMovingMesh()->GetPoints());
     }
     for (const PartPoint& point : part.Points)

@@ -28,7 +28,7 @@ public:
   /// Is called with the share that is done; false stops the work.
   using Watch = std::function<bool(double)>;
 
-  /// The message of an error that is none: Watch stopped the work.
+  /// The message of the status after Watch stopped the work, which is no fault.
   static constexpr const char* Stopped = "stopped";
 
   /// Points in memory at once [bytes]; others are in a scratch file in the folder of the file.

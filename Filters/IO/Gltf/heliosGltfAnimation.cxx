@@ -85,9 +85,8 @@ Status GltfAnimation::FindNumber(
     }
   }
   return count == 0
-    ? document.Fail(
-        "animations", "there are none; give a file with an animation, or numbered files")
-    : document.Fail("animations", "there is none " + Quote(name) + "; there are " + names);
+    ? document.Fail("animations", "the file has no animation; give one that has, or numbered files")
+    : document.Fail("animations", "no animation " + Quote(name) + "; the file has " + names);
 }
 
 //------------------------------------------------------------------------------

@@ -36,7 +36,7 @@ struct GltfNodePose
 class GltfAnimation
 {
 public:
-  /// Reads the animation of a name, or else of a number from 0; of an empty text the first one.
+  /// Reads the animation with a name, or with a number from 0; an empty name: the first one.
   Status Read(GltfDocument& document, const std::string& name);
 
   /// Returns the time of the last key [s].

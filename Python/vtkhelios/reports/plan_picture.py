@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """A picture of a plan: the scene by its number of scans, and by their best incidence angle.
 
-Every pixel has the colour of the nearest test point, grey if there is none nearby; the positions
+Every pixel has the colour of the nearest test point, grey if no test point is near; the positions
 are marked. A plan of a small part of a scene is shown alone. Without an X display a virtual one is
 started, see vtkhelios.picture.
 """

@@ -176,7 +176,7 @@ bool IsConvex(const Facet& facet, const double normal[3])
   return true;
 }
 
-/// Finds the edge that two triangles share; false if there is none.
+/// Finds the edge that two triangles share; false if they share no edge.
 bool FindPair(const ConeTriangle& a, const ConeTriangle& b, FacetMaker::Pair& pair)
 {
   int places[3] = { -1, -1, -1 }; // places of the corners of b in a

@@ -101,8 +101,9 @@ TEST_CASE("GLTFAnimation: bad animations and skins are errors", "[GLTFAnimation]
     a.More = "\"skins\":[{\"joints\":[0]}],";
   };
   const Row row = GENERATE_COPY(
-    Row{ [](Animated&) {}, "run", "a.gltf: animations: there is none \"run\"; there are 0 \"go\"" },
-    Row{ [](Animated&) {}, "1", "animations: there is none \"1\"; there are 0 \"go\"" },
+    Row{
+      [](Animated&) {}, "run", "a.gltf: animations: no animation \"run\"; the file has 0 \"go\"" },
+    Row{ [](Animated&) {}, "1", "animations: no animation \"1\"; the file has 0 \"go\"" },
     Row{ [](Animated& a) { a.Target = "{\"node\":3,\"path\":\"scale\"}"; }, "go",
       "animations[0].channels[0].target.node" },
     Row{ [](Animated& a) { a.Target = "{\"path\":\"scale\"}"; }, "go",
@@ -138,6 +139,16 @@ TEST_CASE("GLTFAnimation: bad animations and skins are errors", "[GLTFAnimation]
   CHECK_FALSE(reading.Read());
   INFO(reading.Log->Errors << "\nexpected: " << row.Message);
   CHECK(reading.Log->HasError(row.Message));
+}
+
+TEST_CASE("GLTFAnimation: a file without an animation is an error", "[GLTFAnimation]")
+{
+  const std::string key = "\"animations\"";
+  std::string text = Animated().Make();
+  Reading reading("a.gltf", text.replace(text.find(key), key.size(), "\"extras\""));
+  reading.Reader->SetAnimation("go");
+  CHECK_FALSE(reading.Read());
+  CHECK(reading.Log->HasError("a.gltf: animations: the file has no animation; give one that has"));
 }
 
 TEST_CASE("GLTFAnimation: all triangles are kept, with or without area", "[GLTFAnimation]")
